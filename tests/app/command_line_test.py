@@ -59,7 +59,7 @@ class CommandLine(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
 
-    def test_a_wrong_command_line_points_to_the_help_of_its_command(self):
+    def test_an_invalid_command_line_points_to_the_help_of_its_command(self):
         self.assert_refused(kerf("cut"), 2, "(see kerf cut --help)")
         self.assert_refused(kerf("prepare", "--smooth", "x"), 2, "(see kerf prepare --help)")
         self.assert_refused(kerf("--no-such-option"), 2, "(see kerf --help)")
@@ -77,7 +77,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["boundary_edges"], 4)
         self.assertAlmostEqual(report["area"], 1)
 
-    def test_info_says_whether_a_mesh_is_closed(self):
+    def test_info_reports_whether_a_mesh_is_closed(self):
         self.write("cube.obj", CUBE)
         for mesh, closed in (("cube.obj", True), ("plate.obj", False)):
             self.assertIs(json.loads(self.run_here("info", mesh).stdout)["closed"], closed)
@@ -87,7 +87,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(self.read("out/report.json"))
 
-    def test_a_solid_weighs_what_it_holds_and_has_a_smooth_rim(self):
+    def test_a_solid_has_the_mass_of_its_volume_and_a_smooth_rim(self):
         self.write("cube.obj", CUBE)
         report = self.report_of("cube.obj", "--solid", "--density", "1000")
         piece, = report["pieces"]
@@ -101,7 +101,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["walls"], {"faces": 0, "area": 0})
         self.assertEqual(self.report_of("cube.obj", "--solid", "--rim", "smooth")["pieces"][0]["closed"], True)
 
-    def test_without_a_solid_the_report_says_only_whether_pieces_are_closed(self):
+    def test_without_a_solid_the_report_only_states_which_pieces_are_closed(self):
         self.write("cube.obj", CUBE)
         report = self.report_of("cube.obj", "--density", "1000")
         piece, = report["pieces"]
@@ -112,7 +112,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["notes"], [])
         self.assertNotIn("solid", report["settings"])
 
-    def test_an_open_mesh_that_is_said_to_be_solid_is_cut_as_a_sheet(self):
+    def test_an_open_mesh_declared_solid_is_cut_as_a_sheet(self):
         sheet = self.cut()
         report = self.cut("--solid")
         self.assertEqual([piece["closed"] for piece in report["pieces"]], [False, False])
@@ -120,7 +120,7 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(report["pieces"][0]["mass"], 7.85 * report["pieces"][0]["area"])
         self.assertNotEqual(report["state_hash"], sheet["state_hash"])
 
-    def test_what_leaves_no_walls_is_refused_with_solid(self):
+    def test_options_that_create_no_walls_are_rejected_with_solid(self):
         for options in (["--rim", "faces"], ["--pattern", "rays4"], ["--model", "thermal"]):
             refused = self.run_here("cut", "plate.obj", "--out", "o", "--solid", *options)
             self.assert_refused(refused, 2, "--solid", options[1])
@@ -133,7 +133,7 @@ class CommandLine(unittest.TestCase):
         self.write("settings.json", json.dumps({"solid": True}))
         self.assertEqual(self.cut("--settings", "settings.json")["settings"]["solid"], True)
 
-    def test_a_solid_body_of_a_scene_is_cut_with_a_smooth_rim_unless_another_is_asked_for(self):
+    def test_a_solid_body_of_a_scene_is_cut_with_a_smooth_rim_by_default(self):
         self.write("cube.obj", CUBE)
         for solid, options, rim in (("auto", [], "smooth"), (True, [], "smooth"), (False, [], "faces"),
                                     (True, ["--rim", "faces"], "faces"), (True, ["--pattern", "rays4"], "faces")):
@@ -142,7 +142,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(report["settings"]["rim"], rim)
             self.assertEqual("walls" in report, bool(solid))
 
-    def test_a_journal_of_solid_bodies_is_replayed_to_its_hash(self):
+    def test_a_journal_of_solid_bodies_replays_to_its_hash(self):
         report = self.cut("--solid", "--journal", "cut.kerf")
         self.assertIs(json.loads(self.read("cut.kerf").splitlines()[0])["bodies"][0]["solid"], True)
         self.assertEqual(self.run_here("replay", "cut.kerf").stdout.strip(), report["state_hash"])
@@ -178,7 +178,7 @@ class CommandLine(unittest.TestCase):
                        a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
         return sum(1 for count in edges.values() if count), volume
 
-    def test_what_single_precision_loses_is_said_and_recentring_keeps_it(self):
+    def test_single_precision_loss_is_reported_and_avoided_by_recentring(self):
         far = self.far_cube()
         done = self.run_here(*far, "--format", "stl")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -200,7 +200,7 @@ class CommandLine(unittest.TestCase):
             self.assertAlmostEqual(volume, piece["volume"], 6)
             self.assertEqual((piece["pose"], piece["centroid"]), (far_piece["pose"], far_piece["centroid"]))
 
-    def test_recentred_coordinates_and_the_origin_add_up_to_those_of_the_mesh(self):
+    def test_recentred_coordinates_plus_origin_equal_those_of_the_mesh(self):
         far = self.far_cube()
         vertices = lambda: [list(map(float, line.split()[1:])) for line in self.read("out/piece-0000.obj").decode().splitlines()
                             if line.startswith("v ")]
@@ -210,7 +210,7 @@ class CommandLine(unittest.TestCase):
         origin = json.loads(self.read("out/report.json"))["origin"]
         self.assertEqual([[x + o for x, o in zip(v, origin)] for v in vertices()], exact)
 
-    def test_a_shell_in_another_one_is_said_and_turned_to_a_cavity(self):
+    def test_a_nested_shell_is_reported_and_turned_into_a_cavity(self):
         inner = re.sub(r"f (\d) (\d) (\d)", lambda f: "f " + " ".join(str(int(i) + 8) for i in f.groups()),
                        re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(1 + int(i)) for i in v.groups()), CUBE))
         self.write("shells.obj", re.sub(r"v (\d) (\d) (\d)", lambda v: "v " + " ".join(str(3 * int(i)) for i in v.groups()),
@@ -250,7 +250,7 @@ class CommandLine(unittest.TestCase):
         for a, b in graph["edges"]:
             self.assertEqual(graph["nodes"][a]["piece"], graph["nodes"][b]["piece"])
 
-    def test_inspect_writes_the_boxes_of_the_tree_and_whether_the_beam_was_there(self):
+    def test_inspect_writes_tree_boxes_and_whether_the_beam_hit_them(self):
         self.cut("--journal", "cut.kerf")
         whole, = json.loads(self.run_here("inspect", "plate.obj", "--tree").stdout)["bodies"]
         self.assertEqual((whole["body"], whole["faces"]), ("plate", 2))
@@ -260,7 +260,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual([box["leaf"] for box in cut["boxes"]].count(True), cut["faces"])
         self.assertTrue(any(box["hit"] for box in cut["boxes"]))
 
-    def test_inspect_writes_the_stages_of_a_move_and_the_last_one_ends_where_the_cut_ends(self):
+    def test_inspect_writes_the_stages_of_a_move_up_to_the_result_of_the_cut(self):
         report = self.cut("--journal", "cut.kerf")
         beyond = self.run_here("inspect", "cut.kerf", "--step", "1000000")
         self.assertEqual(beyond.returncode, 2)
@@ -279,7 +279,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(step["state_hash"], report["state_hash"])
         self.assertEqual(removed, report["removed"]["faces"])
 
-    def test_bad_command_lines_end_with_2_and_one_sentence(self):
+    def test_invalid_command_lines_exit_with_2_and_one_sentence(self):
         for args, word in ((["info"], "MESH"), (["info", "nowhere.obj"], "nowhere.obj"), (["cut"], "MESH"),
                            (["info", "plate.obj", "--nonsense"], "nonsense"),
                            (["inspect", "plate.obj"], "--graph"), (["inspect", "nowhere.obj", "--graph"], "nowhere.obj"),
@@ -303,12 +303,12 @@ class CommandLine(unittest.TestCase):
                            (["--report"], "report")):
             self.assert_refused(self.run_here(*args), 2, word)
 
-    def test_what_cannot_be_written_ends_with_1(self):
+    def test_unwritable_output_exits_with_1(self):
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "/proc/nowhere"), 1, "/proc/nowhere")
         self.write("file", "")
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "file"), 1, "file")
 
-    def test_cut_reports_what_it_wrote(self):
+    def test_cut_reports_its_output(self):
         report = self.cut()
         self.assertEqual(len(report["pieces"]), 2)
         self.assertGreaterEqual(report["pieces"][0]["area"], report["pieces"][1]["area"])
@@ -321,7 +321,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(sum(line.startswith("v ") for line in lines), piece["vertices"])
         self.assertRegex(report["state_hash"], r"^[0-9a-f]{16}$")
 
-    def test_the_same_input_gives_the_same_hash_and_another_does_not(self):
+    def test_the_same_input_gives_the_same_hash_and_another_input_does_not(self):
         first, second = self.cut(), self.cut("--steps", "7")
         self.assertEqual(first["state_hash"], second["state_hash"])
         self.assertEqual(second["steps"], 7)
@@ -333,7 +333,7 @@ class CommandLine(unittest.TestCase):
         with open(os.path.join(self.folder.name, "out", "piece-0000.obj")) as file:
             self.assertEqual([l for l in file.read().splitlines() if l[:2] == "v "], PLATE.splitlines()[:4])
 
-    def test_settings_come_from_a_file_and_the_command_line_wins(self):
+    def test_settings_come_from_a_file_and_the_command_line_overrides_them(self):
         self.write("settings.json", json.dumps({"depth": 2, "radius": 0.05, "pattern": "rays4"}))
         report = self.cut("--settings", "settings.json", "--radius", "0.03", "--pattern", "volume")
         self.assertEqual(report["settings"]["depth"], 2)
@@ -343,7 +343,7 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("cut", "plate.obj", "--out", "out", "--settings", "settings.json")
         self.assert_refused(done, 2, "/deepness")
 
-    def test_depth_0_takes_whole_base_faces(self):
+    def test_depth_0_removes_whole_base_faces(self):
         self.assertEqual(self.cut("--depth", "0")["removed"]["faces"], 2)
 
     def test_prepare_subdivides_smooths_and_simplifies_and_keeps_materials(self):
@@ -359,12 +359,12 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("prepare", "b.ply", "--simplify-error", "0.001", "--out", "c.ply")
         self.assertRegex(done.stderr, "^kerf: 96 faces became [0-9]+ in c.ply\n$")
 
-    def test_prepare_says_when_boundaries_keep_more_faces_than_asked_for(self):
+    def test_prepare_reports_when_boundaries_prevent_the_requested_face_count(self):
         done = self.run_here("prepare", "plate.obj", "--subdivide", "midpoint", "--simplify", "1", "--out", "a.obj")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("note: 2 faces are left", done.stderr)
 
-    def test_prepare_refuses_what_makes_no_sense(self):
+    def test_prepare_rejects_invalid_options(self):
         for options, word in ((["--out", "a.obj"], "nothing to do"), (["--out", "a.txt", "--smooth", "1"], "--out"),
                               (["--out", "a.obj", "--simplify", "0"], "--simplify"),
                               (["--out", "a.obj", "--simplify-error", "nan"], "--simplify-error"),
@@ -376,7 +376,7 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(self.run_here("prepare", "plate.obj", "--simplify", "2", "--out", "none/a.obj"), 1, "none")
         self.assertFalse(os.path.exists(os.path.join(self.folder.name, "a.obj")))
 
-    def test_ctrl_c_stops_a_preparation_and_leaves_no_file(self):
+    def test_ctrl_c_cancels_prepare_and_leaves_no_file(self):
         rows = 300
         corners = "".join(f"v {x} {(x * y) % 7 / 10} {y}\n" for y in range(rows) for x in range(rows))
         faces = "".join(f"f {a} {a + 1} {a + rows + 1} {a + rows}\n" for y in range(rows - 1)
@@ -403,7 +403,7 @@ class CommandLine(unittest.TestCase):
         self.said = done.stderr
         return json.loads(self.read("out/report.json"))
 
-    def test_strokes_that_meet_nothing_are_said_and_reported(self):
+    def test_strokes_that_miss_are_reported(self):
         far = {"keys": [{"t": 0, "origin": [99, 1, 99], "direction": [0, -1, 0]}]}
         self.write("some.json", json.dumps({"strokes": [far, *ACROSS["strokes"], far]}))
         done = self.run_here("cut", "plate.obj", "--path", "some.json", "--out", "out", "--journal", "some.kerf")
@@ -415,7 +415,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(json.loads(self.read("again/report.json"))["missed"], [0, 2])
         self.assertEqual(self.cut()["missed"], [])
 
-    def test_a_misspelt_key_or_option_is_refused_with_the_nearest_one(self):
+    def test_a_misspelt_key_or_option_is_rejected_with_the_nearest_name(self):
         stroke, key = ACROSS["strokes"][0], ACROSS["strokes"][0]["keys"][0]
         for path, pointer, nearest in (({**ACROSS, "stroke": 1}, "/stroke", "strokes"),
                                        ({"strokes": [{**stroke, "laser": {"raduis": 1}}]}, "/strokes/0/laser/raduis", "radius"),
@@ -437,13 +437,13 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(done, 2, "/thicknes", '"thickness"')
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--raduis=1"), 2, "--raduis", '"--radius"')
 
-    def test_a_beam_that_gets_part_of_the_way_through_is_not_said_to_have_met_nothing(self):
+    def test_a_partly_penetrating_beam_is_not_reported_as_a_miss(self):
         report = self.thermal(5)
         self.assertEqual(report["removed"]["faces"], 0)
         depth = f"{100 * report['depth_fraction']:.0f} %"
         self.assertIn(f"1 stroke removed nothing, because the beam got through {depth} of the thickness", self.said)
 
-    def test_a_beam_with_power_cuts_what_it_has_the_energy_for_and_says_where_the_energy_went(self):
+    def test_a_beam_with_power_cuts_within_its_energy_and_reports_the_balance(self):
         slow, fast = self.thermal(.1), self.thermal(.5)
         self.assertEqual(len([p for p in slow["pieces"] if p["area"] > 4e-4]), 2)
         self.assertEqual(len(fast["pieces"]), 1)
@@ -454,13 +454,13 @@ class CommandLine(unittest.TestCase):
             self.assertAlmostEqual(e["emitted"], e["absorbed"] + e["escaped"], delta=1e-6 * e["emitted"])
             self.assertAlmostEqual(e["absorbed"], e["ejected"] + e["stored"] + e["lost"], delta=1e-6 * e["emitted"])
 
-    def test_a_journal_of_a_cut_with_power_knows_material_and_thickness(self):
+    def test_a_journal_of_a_thermal_cut_stores_material_and_thickness(self):
         report = self.thermal(.2, "--journal", "cut.kerf")
         done = self.run_here("replay", "cut.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(report["state_hash"], done.stdout)
 
-    def test_oxygen_helps_to_cut_mild_steel_and_a_journal_knows_of_it(self):
+    def test_oxygen_speeds_up_mild_steel_and_is_stored_in_the_journal(self):
         options = ("--material", "mild-steel", "--journal", "cut.kerf")
         without, oxygen = self.thermal(.12, *options), self.thermal(.12, *options, "--assist", "oxygen")
         self.assertEqual([len([p for p in r["pieces"] if p["area"] > 4e-4]) for r in (without, oxygen)], [1, 2])
@@ -473,11 +473,11 @@ class CommandLine(unittest.TestCase):
         self.assertIn(oxygen["state_hash"], done.stdout)
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--assist", "air"), 2, "--assist", "oxygen")
 
-    def test_an_unknown_material_is_refused_with_those_that_there_are(self):
+    def test_an_unknown_material_is_rejected_with_the_valid_ones(self):
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--material", "butter"), 2, "butter",
                             "mild-steel", "pmma")
 
-    def test_ctrl_c_stops_a_long_cut_and_leaves_no_pieces(self):
+    def test_ctrl_c_cancels_a_long_cut_and_leaves_no_pieces(self):
         process = subprocess.Popen([KERF, "cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge",
                                     "0.0002"], cwd=self.folder.name, stderr=subprocess.PIPE, text=True)
         wait_for_folder(os.path.join(self.folder.name, "out"))
@@ -487,7 +487,7 @@ class CommandLine(unittest.TestCase):
         self.assertIn("interrupted", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])
 
-    def test_a_cut_ends_with_one_line_of_what_came_of_it_and_shows_no_progress_without_a_terminal(self):
+    def test_a_cut_ends_with_a_one_line_summary_and_no_progress_without_a_terminal(self):
         done = self.run_here("cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge", "0.001")
         self.assertEqual((done.returncode, done.stdout), (0, ""))
         self.assertRegex(done.stderr, r"^kerf: 1 stroke removed [0-9 ]+ faces \([0-9.]+ cm²\); "
@@ -496,7 +496,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.stderr, "kerf: no strokes given; "
                                       "1 piece and report.json are in whole\n")
 
-    def test_the_example_of_a_path_file_in_the_readme_of_app_and_in_the_help_cuts_the_car_in_two(self):
+    def test_the_path_file_example_of_readme_and_help_cuts_the_car_in_two(self):
         with open(os.path.join(ROOT, "app", "README.md")) as file:
             readme = file.read()
         example = re.search(r"```json\n(\{\"strokes\".*?)```", readme, re.S).group(1)
@@ -512,7 +512,7 @@ class CommandLine(unittest.TestCase):
         shown = re.search(r"^ *(\{\"strokes\".*\}\]\}\]\})$", kerf("cut", "--help").stdout, re.S | re.M)
         self.assertEqual(json.loads(shown.group(1)), json.loads(example))
 
-    def test_what_was_dropped_is_said(self):
+    def test_dropped_faces_are_reported(self):
         self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\n")
         notes = json.loads(self.run_here("info", "odd.obj").stdout)["notes"]
         self.assertEqual(notes[0], "1 triangle refers to a missing vertex and was dropped.")
@@ -523,7 +523,7 @@ class CommandLine(unittest.TestCase):
         self.assertIn("report.json", said[-1])
         self.assertEqual(json.loads(self.run_here("info", "plate.obj").stdout)["notes"], [])
 
-    def test_a_full_disk_or_a_folder_without_permission_leaves_what_was_there(self):
+    def test_a_full_disk_or_read_only_folder_keeps_existing_files(self):
         os.mkdir(os.path.join(self.folder.name, "out"))
         self.write("out/piece-0000.obj", "old\n")
         limit = "ulimit -f 0; exec \"$@\""  # no file may grow: as on a full disk
@@ -537,7 +537,7 @@ class CommandLine(unittest.TestCase):
             os.chmod(os.path.join(self.folder.name, "out"), 0o555)
             self.assert_refused(self.run_here("cut", "plate.obj", "--out", "out"), 1, "cannot write")
 
-    def test_render_makes_a_picture_without_a_display(self):
+    def test_render_writes_an_image_without_a_display(self):
         done = self.run_here("render", "plate.obj", "--out", "plate.png", "--size", "320x200", "--show", "aabb,wire")
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(os.path.join(self.folder.name, "plate.png"), "rb") as file:
@@ -545,7 +545,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")), (320, 200))
 
-    def test_render_has_the_shadows_of_the_editor_unless_told_otherwise(self):
+    def test_render_uses_the_shadows_of_the_editor_by_default(self):
         def picture(*args):
             done = self.run_here("render", "step.obj", "--out", "step.png", "--size", "160x100", *args)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -554,7 +554,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(picture(), picture("--show", "shadows"))
         self.assertNotEqual(picture(), picture("--show", "wire"))
 
-    def test_render_draws_pieces_apart(self):
+    def test_render_explodes_pieces(self):
         self.write("cut.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], "strokes": ACROSS["strokes"]}))
         def picture(*args):
             done = self.run_here("render", "cut.json", "--out", "cut.png", "--size", "160x100", *args)
@@ -573,7 +573,7 @@ class CommandLine(unittest.TestCase):
                         {"number": 12, "caption": "A split.", "diagram": "one-to-four"}],
             "films": {"shadow": "plate.json"}}))
 
-    def test_figures_are_drawn_from_a_list_twice_the_same(self):
+    def test_figures_render_deterministically_from_a_list(self):
         self.write_figures()
         seen = []
         for folder in ("a", "b"):
@@ -585,7 +585,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(seen[0], seen[1])
         self.assertEqual(struct.unpack(">2I", seen[0][0][16:24]), (320, 200))
 
-    def test_figures_make_a_film_of_a_light_that_turns(self):
+    def test_figures_render_a_film_of_a_rotating_light(self):
         self.write_figures()
         done = self.run_here("figures", "--film", "films", "--size", "64x64", "--list", "figures.json")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -593,14 +593,14 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((frames[0], frames[-1]), ("frame-00000.png", f"frame-{len(frames) - 1:05}.png"))
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "films")), ["shadow"])
 
-    def test_figures_refuse_what_makes_no_sense(self):
+    def test_figures_rejects_invalid_lists(self):
         self.write_figures(scene="missing.json")
         self.assert_refused(self.run_here("figures"), 2, "--out or --film")
         self.assert_refused(self.run_here("figures", "--out", "o", "--size", "40x40"), 2, "64x64")
         self.assert_refused(self.run_here("figures", "--out", "o", "--list", "figures.json"), 2, "missing.json")
         self.assert_refused(self.run_here("figures", "--out", "o", "--list", "nothing.json"), 2, "nothing.json")
 
-    def test_render_refuses_the_ending_of_another_format(self):
+    def test_render_rejects_an_unsupported_extension(self):
         for name in ("plate.jpg", "plate.JPEG", "plate.obj"):
             self.assert_refused(self.run_here("render", "plate.obj", "--out", name), 2, name, "PNG", ".png")
         self.assertFalse(os.path.exists(os.path.join(self.folder.name, "plate.jpg")))
@@ -622,7 +622,7 @@ class CommandLine(unittest.TestCase):
             for key in ("input", "settings", "output", "pieces", "max_level", "state_hash"):
                 self.assertEqual(again[key], report[key], (key, args))
 
-    def test_a_replay_that_comes_to_another_state_says_where_and_ends_with_1(self):
+    def test_a_replay_mismatch_is_reported_and_exits_with_1(self):
         hash_of_cut = self.journal()["state_hash"]
         with open(os.path.join(self.folder.name, "plate.kerf")) as file:
             journal = file.read()
@@ -634,7 +634,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("--expect", done.stderr)
 
-    def test_a_torn_journal_is_read_as_far_as_it_goes(self):
+    def test_a_truncated_journal_is_read_up_to_the_damage(self):
         self.journal()
         with open(os.path.join(self.folder.name, "plate.kerf")) as file:
             journal = file.read()
@@ -651,7 +651,7 @@ class CommandLine(unittest.TestCase):
         self.write("head.kerf", journal[:40])
         self.assert_refused(self.run_here("replay", "head.kerf"), 2, "head.kerf: line 1")
 
-    def test_replay_refuses_what_makes_no_sense(self):
+    def test_replay_rejects_invalid_options(self):
         self.journal()
         for args, word in ((["missing.kerf"], "missing.kerf"), (["plate.obj"], "plate.obj: line 1"),
                            (["plate.kerf", "--expect", "12"], "--expect"), (["plate.kerf", "--fps", "10"], "--frames"),
@@ -662,7 +662,7 @@ class CommandLine(unittest.TestCase):
         os.remove(os.path.join(self.folder.name, "plate.obj"))
         self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: no such file")
 
-    def test_a_film_is_numbered_pictures_at_the_pace_that_was_asked_for(self):
+    def test_a_film_is_numbered_images_at_the_requested_frame_rate(self):
         self.journal()
         def frames(folder, fps):
             done = self.run_here("replay", "plate.kerf", "--frames", folder, "--fps", fps, "--size", "64x48")
@@ -674,7 +674,7 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(frames("slow", 2), 2 * 6, delta=1)
         self.assertAlmostEqual(frames("fast", 5), 5 * 6, delta=1)
 
-    def test_a_film_leaves_out_strokes_that_were_undone_or_cut_again(self):
+    def test_a_film_omits_undone_and_recut_strokes(self):
         self.journal()
         with open(os.path.join(self.folder.name, "plate.kerf")) as file:
             lines = [line for line in file.read().splitlines() if '"hash"' not in line[:8]]
@@ -691,7 +691,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(films[0]), len(films[1]))
         self.assertEqual(*films)
 
-    def test_render_draws_a_journal_as_cut(self):
+    def test_render_draws_a_journal_after_its_cuts(self):
         self.journal("--radius", "0.2")
         for name in ("plate.kerf", "plate.obj"):
             done = self.run_here("render", name, "--out", name + ".png", "--size", "160x100", "--eye", "0,2,0.1")
@@ -702,7 +702,7 @@ class CommandLine(unittest.TestCase):
                 pictures.append(file.read())
         self.assertNotEqual(*pictures)
 
-    def test_a_film_of_a_fall_goes_on_while_bodies_move_and_contacts_are_drawn_where_they_rest(self):
+    def test_a_film_of_a_fall_continues_until_bodies_rest_and_draws_contacts(self):
         def film(name, *args):
             self.cut("--journal", name + ".kerf", *args)
             done = self.run_here("replay", name + ".kerf", "--frames", name, "--fps", 4, "--size", "64x48")
@@ -729,7 +729,7 @@ class CommandLine(unittest.TestCase):
             pictures.append(self.read("a.png"))
         self.assertNotEqual(pictures[0], pictures[1])
 
-    def test_the_editor_without_a_display_says_so(self):
+    def test_the_editor_reports_a_missing_display(self):
         self.assert_refused(self.run_here("plate.obj"), 1, "display")
         self.assert_refused(self.run_here("play"), 1, "display")
 

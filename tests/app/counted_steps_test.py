@@ -201,7 +201,7 @@ class CountedSteps(unittest.TestCase):
             with self.subTest(shape.__name__):
                 self.expect_no_quadratic_growth(shape, off, ".off")
 
-    def test_many_faces_at_one_edge(self):
+    def test_many_faces_on_one_edge(self):
         self.expect_no_quadratic_growth(fan_of_sheets, ply, ".ply")
 
     def test_simplifying_around_a_vertex_of_many_faces(self):
@@ -222,7 +222,7 @@ class CountedSteps(unittest.TestCase):
             return ["cut", f"{folder}/mesh.stl", "--path", f"{folder}/path.json", "--out", f"{folder}/out", *options]
         return run
 
-    def test_cutting_faces_that_coincide(self):
+    def test_cutting_coinciding_faces(self):
         self.expect_growth_of_four("boxes", self.cut(boxes, lambda _: stroke([(-1, 0.3), (2, 0.3)], 0.2)), 10)
 
     def test_closing_a_solid_after_a_stroke_of_many_keys(self):

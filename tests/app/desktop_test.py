@@ -45,7 +45,7 @@ def mime_types():
 
 
 class Desktop(unittest.TestCase):
-    def test_completions_offer_the_values_that_are_accepted(self):
+    def test_completions_offer_the_accepted_values(self):
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(KERF, os.path.join(folder, 'kerf'))
             environment = {**os.environ, 'PATH': folder + ':' + os.environ['PATH']}
@@ -69,7 +69,7 @@ class Desktop(unittest.TestCase):
             if shutil.which(shell):
                 subprocess.run([shell, check, os.path.join(EXTRAS, name)], check=True)
 
-    def test_ply_and_off_files_have_types_that_recognise_them(self):
+    def test_ply_and_off_files_have_mime_types_that_detect_them(self):
         types, space = mime_types()
         for ending in ('ply', 'off'):
             kind = types[f'application/x-{ending}']
@@ -82,7 +82,7 @@ class Desktop(unittest.TestCase):
             starts = [m.get('value').encode().decode('unicode_escape').encode() for m in kind.iter(space + 'match')]
             self.assertTrue(any(head.startswith(start) for start in starts), (head, starts))
 
-    def test_the_thumbnailer_draws_what_it_names(self):
+    def test_the_thumbnailer_draws_its_declared_types(self):
         entry = configparser.ConfigParser(interpolation=None)
         entry.read(os.path.join(EXTRAS, 'kerf.thumbnailer'))
         entry = entry['Thumbnailer Entry']
@@ -100,7 +100,7 @@ class Desktop(unittest.TestCase):
                     self.assertEqual(file.read(24)[16:], bytes([0, 0, 0, 128] * 2))
                 os.remove(image)
 
-    def test_the_man_page_has_its_sections_and_names_files_that_exist(self):
+    def test_the_man_page_has_all_sections_and_names_existing_files(self):
         with open(os.path.join(os.path.dirname(KERF), 'kerf.1'), encoding='utf-8') as file:
             page = file.read().replace('\\-', '-')
         sections = re.split('^[.]SH (.*)\n', page, flags=re.MULTILINE)

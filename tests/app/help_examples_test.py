@@ -17,7 +17,7 @@ def help_of(*command):
 
 
 class Examples(unittest.TestCase):
-    def test_every_subcommand_has_one_that_works(self):
+    def test_every_subcommand_has_a_working_example(self):
         names = re.findall(r'^  ([a-z]+) ', help_of().split('Subcommands:')[1], re.MULTILINE)
         self.assertGreater(len(names), 8)
         for name in names:

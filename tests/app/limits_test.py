@@ -40,7 +40,7 @@ class Limits(unittest.TestCase):
             self.assertIn(word, said[0])
 
     @unittest.skipIf(SANITIZED, "the sanitizers want more address space")
-    def test_a_stroke_that_memory_is_not_enough_for_is_refused_and_leaves_what_was_there(self):
+    def test_a_stroke_beyond_the_memory_limit_fails_and_keeps_existing_files(self):
         os.mkdir(os.path.join(self.folder, "out"))
         kept = os.path.join(self.folder, "out", "piece-0000.obj")
         with open(kept, "w") as file:
@@ -53,7 +53,7 @@ class Limits(unittest.TestCase):
         self.assertEqual(os.listdir(os.path.join(self.folder, "out")), ["piece-0000.obj"])
 
     @unittest.skipIf(SANITIZED, "the sanitizers want more address space")
-    def test_a_mesh_that_memory_is_not_enough_for_is_refused(self):
+    def test_a_mesh_beyond_the_memory_limit_is_rejected(self):
         large = os.path.join(self.folder, "large.obj")
         finer = SPHERE
         for name in ("a.obj", "b.obj", "c.obj", "large.obj"):
@@ -63,20 +63,20 @@ class Limits(unittest.TestCase):
         done = self.run_kerf("cut", large, "--out", "out", limit="ulimit -v 160000", KERF_THREADS="1")
         self.assert_one_sentence(done, "large.obj", "memory")
 
-    def test_the_limit_of_memory_is_not_written_down(self):
+    def test_the_memory_limit_is_not_recorded(self):
         done = self.run_kerf("cut", SPHERE, "--path", "across.json", "--out", "out", "--journal", "out.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(os.path.join(self.folder, "out.kerf")) as file:
             self.assertNotIn("most-faces", file.read())
 
-    def test_without_a_home_it_cuts_and_draws(self):
+    def test_cuts_and_renders_without_a_home_folder(self):
         bare = ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
         for arguments in (("cut", SPHERE, "--path", "across.json", "--out", "out"),
                           ("render", SPHERE, "--out", "a.png", "--size", "160x100")):
             done = self.run_kerf(*arguments, without=bare)
             self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_without_opengl_it_says_what_to_install(self):
+    def test_missing_opengl_is_reported_with_the_package_to_install(self):
         draw = ("render", SPHERE, "--out", "a.png")
         missing = {"no driver": {"LIBGL_DRIVERS_PATH": "/nonexistent"},
                    "no vendor": {"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"},
@@ -87,7 +87,7 @@ class Limits(unittest.TestCase):
                 self.assert_one_sentence(self.run_kerf(*draw, **settings), *words)
                 self.assertFalse(os.path.exists(os.path.join(self.folder, "a.png")))
 
-    def test_without_a_display_it_says_so(self):
+    def test_a_missing_display_is_reported(self):
         self.assert_one_sentence(self.run_kerf(SPHERE), "display", "kerf render")
 
 

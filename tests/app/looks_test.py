@@ -109,7 +109,7 @@ class Looks(unittest.TestCase):
                 self.assertAlmostEqual(uv[1], 1 - position[2] if up else position[2], delta=1e-6)
                 self.assertEqual(normal, (0, 1, 0))
 
-    def test_obj_keeps_all(self):
+    def test_obj_keeps_everything(self):
         report = self.cut("--rim", "smooth")
         self.assertEqual(len(report["pieces"]), 2)
         self.assertEqual(report.get("notes", []), [])
@@ -140,7 +140,7 @@ class Looks(unittest.TestCase):
         self.write("plate.obj", re.sub(r"(?m)^(mtllib|usemtl|vt|vn).*\n|/\d+/\d+", "", text))
         self.assertNotIn("looks_hash", self.cut())
 
-    def test_a_file_of_another_is_never_replaced(self):
+    def test_a_file_of_another_program_is_never_overwritten(self):
         os.mkdir(self.path("out"))
         self.write("out/paint.png", b"mine")
         self.write("out/pieces.mtl", b"mine")
@@ -153,7 +153,7 @@ class Looks(unittest.TestCase):
             self.assertTrue(self.read("out/piece-0000.obj").startswith(b"mtllib pieces-2.mtl\n"))
             self.assertFalse(os.path.exists(self.path("out/pieces-3.mtl")))
 
-    def test_glb_keeps_all_and_comes_back_as_obj(self):
+    def test_glb_keeps_everything_and_converts_back_to_obj(self):
         report = self.cut("--format", "glb")
         names = set()
         for piece in report["pieces"]:
@@ -296,7 +296,7 @@ class Looks(unittest.TestCase):
         done = subprocess.run([KERF, "info", "plate.ply"], cwd=self.folder, capture_output=True, text=True, timeout=120)
         self.assertEqual(json.loads(done.stdout)["looks"]["attributes"], ["quality", "label"])
 
-    def test_a_format_says_what_it_loses(self):
+    def test_each_format_reports_its_losses(self):
         for form, lost in (("stl", "UVs, normals, materials"), ("off", "UVs, normals, materials"), ("ply", "materials")):
             report = self.cut("--format", form)
             faces = sum(piece["faces"] for piece in report["pieces"])
@@ -315,7 +315,7 @@ class Looks(unittest.TestCase):
         self.assert_linear(self.read("made.obj").decode())
         self.assertIn(b"map_Kd", self.read("made.mtl"))
 
-    def test_walls_have_the_material_that_is_asked_for(self):
+    def test_walls_get_the_requested_material(self):
         corners = [(x, y, z) for x in (0, 1) for y in (0, 0.3) for z in (0, 1)]
         quads = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
         self.write("box.obj", "mtllib plate.mtl\nusemtl bare\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
@@ -352,7 +352,7 @@ class Looks(unittest.TestCase):
             self.assertAlmostEqual(sum((a - b) ** 2 for a, b in zip(p, q)), sum((a - b) ** 2 for a, b in zip(s, t)),
                                    delta=1e-5)
 
-    def test_provenance_leads_back_to_the_source(self):
+    def test_provenance_refers_to_the_source(self):
         for form in ("obj", "glb"):
             report = self.cut("--provenance", "from.npz", "--format", form, "--rim", "smooth")
             arrays = read_npz(self.path("from.npz"))

@@ -65,7 +65,7 @@ class OptionLimits(unittest.TestCase):
     def run_here(self, *args):
         return run(*args, folder=self.folder)
 
-    def test_every_number_is_taken_at_its_limits_and_refused_beyond(self):
+    def test_every_number_is_accepted_at_its_limits_and_rejected_beyond(self):
         tried = set()
         for command, beginning in BEGINNINGS.items():
             for name, (kind, text) in options_of(command).items():
@@ -86,7 +86,7 @@ class OptionLimits(unittest.TestCase):
                     ("replay", "fps"), ("render", "spread"), ("inspect", "step"), ("play", "seed"), ("play", "seconds")):
             self.assertIn(one, tried)
 
-    def test_sizes_are_taken_at_their_limits_and_refused_beyond(self):
+    def test_sizes_are_accepted_at_their_limits_and_rejected_beyond(self):
         for command in ("render", "replay", "play", "figures"):
             beginning = BEGINNINGS[command]
             for size in ("0x100", "100x0", "16385x100", "100x16385", "100.5x100", "100", "x"):
@@ -97,7 +97,7 @@ class OptionLimits(unittest.TestCase):
             done = self.run_here(command, *beginning, "--size", "16384x64")
             self.assertNotIn("--size", done.stderr)
 
-    def test_what_the_command_line_takes_is_taken_by_settings_files_and_by_the_journal(self):
+    def test_settings_files_and_journals_accept_what_the_command_line_does(self):
         """And what it refuses is refused by settings files."""
         for name, (kind, text) in options_of("cut").items():
             if not kind.startswith(("FLOAT", "INT")) or name in ("settle", "ground"):
@@ -123,7 +123,7 @@ class OptionLimits(unittest.TestCase):
                 done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "s.json")
                 self.assertEqual(done.returncode, 2, (name, number, done.stderr))
 
-    def test_a_range_is_taken_at_its_limits_and_refused_beyond(self):
+    def test_a_range_is_accepted_at_its_limits_and_rejected_beyond(self):
         for text, status in (("0,0", 0), (f"0,{MOST!r}", 0), (f"{MOST!r},{MOST!r}", 0), (f"{-LEAST!r},1", 2), ("1,0.5", 2),
                              ("0,inf", 2), ("nan,1", 2), ("0,1e999", 2)):
             cut = ["cut", "plate.obj", "--path", "far.json", "--out", "o", "--journal", "j.kerf", f"--range={text}"]

@@ -65,7 +65,7 @@ class Outputs(unittest.TestCase):
         for name, content in before.items():
             self.assertEqual(self.read(name), content, name)
 
-    def test_a_folder_tells_of_its_last_run_alone_and_keeps_the_files_of_others(self):
+    def test_a_folder_describes_only_its_last_run_and_keeps_foreign_files(self):
         self.cut("plate.obj", "--path", "thrice.json", "--out", "out")
         self.write("out/mine.txt", "mine")
         self.write("out/piece-0009.obj", "mine too: no report lists it")
@@ -74,7 +74,7 @@ class Outputs(unittest.TestCase):
             self.cut("plate.obj", "--out", "out", *options)
             self.assert_one_run(*others)
 
-    def test_only_names_of_pieces_are_removed_whatever_a_report_lists(self):
+    def test_only_piece_files_are_removed_whatever_a_report_lists(self):
         os.mkdir(self.path("out"))
         names = ["../plate.obj", "mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj", "report.json"]
         for name in ("mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj"):
@@ -84,7 +84,7 @@ class Outputs(unittest.TestCase):
         self.assert_one_run("mine.txt", "piece-1.obj", "piece-0001", "piece-0001.obj~", "piece-00a1.obj")
         self.assertEqual(self.read("plate.obj").decode(), PLATE)
 
-    def test_a_run_that_fails_leaves_no_report_and_the_next_one_removes_what_both_wrote(self):
+    def test_a_failed_run_writes_no_report_and_the_next_run_cleans_up_after_both(self):
         self.write("fine.json", json.dumps({"strokes": [{**stroke(0), "laser": {"radius": 0.01}}]}))
         self.cut("plate.obj", "--path", "thrice.json", "--out", "out", "--depth", "1")
         pieces = self.files()
@@ -97,14 +97,14 @@ class Outputs(unittest.TestCase):
         self.cut("plate.obj", "--out", "out")
         self.assert_one_run()
 
-    def test_a_mesh_in_the_folder_of_the_result_is_no_input(self):
+    def test_a_mesh_in_the_output_folder_is_rejected_as_input(self):
         self.cut("plate.obj", "--path", "once.json", "--out", "out")
         for options in ([], ["--format", "ply"], ["--journal", "out.kerf"]):
             self.assert_refused_and_unchanged(["cut", "out/piece-0000.obj", "--out", "out", *options], "--out", "input")
         os.remove(self.path("out/report.json"))
         self.cut("out/piece-0000.obj", "--out", "out", "--format", "ply")
 
-    def test_an_input_is_known_by_its_file_and_not_by_its_name(self):
+    def test_an_input_is_identified_by_its_file_not_its_name(self):
         os.mkdir(self.path("out"))
         for make in (os.symlink, os.link):
             make(self.path("plate.obj"), self.path("out/piece-0000.obj"))
@@ -136,7 +136,7 @@ class Outputs(unittest.TestCase):
             self.assert_refused_and_unchanged([name, "--report", file], "--report", file)
             os.remove(self.path("p.png"))
 
-    def test_a_match_is_not_written_over_its_rules(self):
+    def test_a_match_recording_does_not_overwrite_its_rules(self):
         rules = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
         shutil.copytree(rules, self.path("assets"), ignore=shutil.ignore_patterns("pictures", "shaders", "*.py"))
         play = ["play", "assets/games/trial.json", "--headless", "--driver", "still", "--seconds", "1"]
@@ -144,7 +144,7 @@ class Outputs(unittest.TestCase):
             for option in ("--report", "--record"):
                 self.assert_refused_and_unchanged([*play, option, file], option, file)
 
-    def test_the_buffers_of_a_gltf_file_are_inputs(self):
+    def test_buffers_of_a_gltf_file_count_as_inputs(self):
         self.cut("plate.obj", "--format", "gltf", "--out", "g")
         gltf = json.loads(self.read("g/piece-0000.gltf"))
         self.write("a b.bin", "x")
@@ -152,7 +152,7 @@ class Outputs(unittest.TestCase):
         self.write("g.gltf", json.dumps(gltf))
         self.assert_refused_and_unchanged(["cut", "g.gltf", "--out", "out", "--journal", "a b.bin"], "--journal", "a b.bin")
 
-    def test_a_journal_that_cannot_be_begun_is_known_before_the_cut(self):
+    def test_an_unwritable_journal_is_reported_before_the_cut(self):
         os.mkdir(self.path("folder"))
         for journal in ("/dev/full", "folder", "nowhere/j.kerf"):
             done = self.kerf("cut", "plate.obj", "--path", "once.json", "--out", "out", "--journal", journal)
@@ -160,7 +160,7 @@ class Outputs(unittest.TestCase):
             self.assertIn(journal, done.stderr)
             self.assertFalse(os.path.exists(self.path("out")))
 
-    def test_a_journal_that_cannot_be_ended_costs_no_piece(self):
+    def test_an_incomplete_journal_does_not_affect_pieces(self):
         strokes = [stroke(-0.4 + 0.001 * (i % 800)) for i in range(400)]
         self.write("many.json", json.dumps({"strokes": strokes}))
         self.write("j.kerf", "what was there\n")

@@ -76,7 +76,7 @@ class Pipe(unittest.TestCase):
         named.pop('file')
         self.assertEqual(piped, named)
 
-    def test_prepare_is_a_filter(self):
+    def test_prepare_works_as_a_filter(self):
         self.kerf('prepare', SPHERE, '--simplify', '500', '-o', 'light.obj')
         with open(os.path.join(self.folder, 'light.obj'), 'rb') as file:
             light = file.read()
@@ -89,7 +89,7 @@ class Pipe(unittest.TestCase):
             said = self.kerf('prepare', '-', '--smooth', '1', *words, input=self.mesh, status=2)
             self.assertIn(b'--format', said.stderr)
 
-    def test_a_cut_takes_its_mesh_or_its_path_from_standard_input(self):
+    def test_a_cut_reads_its_mesh_or_path_from_standard_input(self):
         self.kerf('cut', SPHERE, '--path', 'path.json', '-o', 'out')
         wanted = self.report()
         self.kerf('cut', '-', '--path', 'path.json', '-o', 'mesh', input=self.mesh)
@@ -125,7 +125,7 @@ class Pipe(unittest.TestCase):
             self.assertEqual(len(self.kerf(*words).stderr.splitlines()), 1)
             self.assertEqual(self.kerf(*words, '-q').stderr, b'')
 
-    def test_reports_state_how_they_were_made_and_match_their_schema(self):
+    def test_reports_state_their_provenance_and_match_their_schema(self):
         with open(os.path.join(ROOT, 'app/report.schema.json'), encoding='utf-8') as file:
             schema = json.load(file)
         self.kerf('cut', SPHERE, '--path', 'path.json', '-o', 'first', '--journal', "it's.kerf", '--depth', '2')

@@ -39,7 +39,7 @@ class Terminal:
         return self.process.wait(timeout=60)
 
 
-class OnATerminal(unittest.TestCase):
+class TerminalOutput(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -50,7 +50,7 @@ class OnATerminal(unittest.TestCase):
         with open(os.path.join(self.folder.name, name), "w") as file:
             file.write(text)
 
-    def test_progress_is_one_line_that_a_terminal_shows_and_that_goes_away(self):
+    def test_progress_is_a_single_line_that_is_erased_at_the_end(self):
         run = Terminal("cut", "plate.obj", "--path", "across.json", "--out", "out", "--target-edge", "0.0002",
                        cwd=self.folder.name)
         self.assertEqual(run.finish(), 0, run.shown)
@@ -59,7 +59,7 @@ class OnATerminal(unittest.TestCase):
         self.assertNotIn(b"\n", progress)
         self.assertRegex(end, rb"^kerf: 1 stroke removed [^\n]*\r\n$")
 
-    def test_ctrl_c_stops_the_loading_of_a_long_file(self):
+    def test_ctrl_c_cancels_loading_a_long_file(self):
         self.write("long.obj", PLATE + "vt 0 0\n" * 20_000_000)
         for command in (["info", "long.obj"], ["cut", "long.obj", "--out", "out"],
                         ["render", "long.obj", "--out", "l.png"]):

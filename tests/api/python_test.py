@@ -45,7 +45,7 @@ class Module(unittest.TestCase):
             with self.assertRaises(ValueError):
                 array[0, 0] = 1
 
-    def test_rubbish_gets_a_sentence(self):
+    def test_invalid_arguments_report_an_error(self):
         v, f = self.mesh.vertices, self.mesh.faces
         for bad in (lambda: kerf.Mesh(v[:, :2], f), lambda: kerf.Mesh(np.full_like(v, np.nan), f),
                     lambda: kerf.Mesh(v, f + len(v)), lambda: kerf.Mesh(v, f.astype(int) - 1), lambda: kerf.Mesh(v[:0], f[:0]),
@@ -69,7 +69,7 @@ class Module(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, '^max_level: must be from 0 to 24$'):
                 self.world.cut(slot(self.mesh), max_level=level)
 
-    def test_an_argument_of_the_wrong_type_is_a_type_error_that_names_it(self):
+    def test_an_argument_of_the_wrong_type_raises_a_type_error_that_names_it(self):
         cut, stroke = self.world.cut, slot(self.mesh)
         for word, bad in (('strokes', lambda: cut(5)), ('strokes: number 1', lambda: cut([stroke, 'x'])),
                           ('mesh', lambda: self.world.add(5)), ('mesh', lambda: self.world.add(None)),
@@ -89,7 +89,7 @@ class Module(unittest.TestCase):
             for foreign in ('PYBIND', 'C++', 'kerf::', 'std::', '_kerf'):
                 self.assertNotIn(foreign, said)
 
-    def test_an_error_of_the_progress_function_is_that_of_the_call(self):
+    def test_an_exception_of_the_progress_callback_propagates(self):
         class Neither:
             def __bool__(self):
                 raise LookupError('neither')
@@ -100,7 +100,7 @@ class Module(unittest.TestCase):
             self.world.cut(slot(self.mesh), progress=lambda share: 1 / 0)
         self.assertEqual(self.world.hash, before)
 
-    def test_paths_may_be_of_pathlib_or_bytes_and_a_missing_one_is_told_as_python_does(self):
+    def test_paths_may_be_pathlib_or_bytes_and_a_missing_file_raises_oserror(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             self.mesh.write(folder / 'ball.ply')
@@ -126,7 +126,7 @@ class Module(unittest.TestCase):
             with self.assertRaises(kerf.Error):
                 self.mesh.write('/proc/ball.ply')
 
-    def test_exceptions_travel_between_processes(self):
+    def test_exceptions_can_be_pickled_between_processes(self):
         for kind in (kerf.Error, kerf.Cancelled, kerf.Busy):
             self.assertTrue(issubclass(kind, RuntimeError) and issubclass(kind, kerf.Error))
             self.assertIs(type(pickle.loads(pickle.dumps(kind('said')))), kind)
@@ -134,7 +134,7 @@ class Module(unittest.TestCase):
             kerf.read('no-such.obj')
         self.assertEqual(pickle.loads(pickle.dumps(raised.exception)).filename, 'no-such.obj')
 
-    def test_a_stroke_has_attributes_a_text_and_equal_copies(self):
+    def test_a_stroke_has_attributes_a_repr_and_equal_copies(self):
         stroke = kerf.Stroke([(0, (0, 1, 0), (0, -1, 0))], radius=0.25, range=(0, 2))
         self.assertEqual(stroke.keys, [(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))])
         self.assertEqual((stroke.radius, stroke.range, stroke.power), (0.25, (0.0, 2.0), None))
@@ -172,7 +172,7 @@ class Module(unittest.TestCase):
         bare = kerf.Mesh(plate.vertices, plate.faces)
         self.assertEqual((bare.attributes, bare.material_names, bare.face_materials.size), ({}, [], 0))
 
-    def test_meshes_and_hits_are_copied_and_pickled(self):
+    def test_meshes_and_hits_can_be_copied_and_pickled(self):
         for same in (copy.copy(self.mesh), copy.deepcopy(self.mesh), pickle.loads(pickle.dumps(self.mesh))):
             np.testing.assert_array_equal(same.vertices, self.mesh.vertices)
             np.testing.assert_array_equal(same.faces, self.mesh.faces)
@@ -187,7 +187,7 @@ class Module(unittest.TestCase):
         with self.assertRaises(TypeError):
             pickle.dumps(self.world)
 
-    def test_meshes_of_other_libraries_are_taken_by_their_attributes(self):
+    def test_meshes_of_other_libraries_are_accepted_by_attributes(self):
         v, f = np.array(self.mesh.vertices), np.array(self.mesh.faces)
         for other in (types.SimpleNamespace(vertices=v, faces=f.astype(np.int64)),
                       types.SimpleNamespace(vertices=v.tolist(), triangles=f.tolist())):
@@ -207,7 +207,7 @@ class Module(unittest.TestCase):
             with self.assertRaises(kerf.Cancelled):
                 read(MESH, progress=lambda share: False)
 
-    def test_type_hints_name_the_defaults_and_docstrings_the_errors(self):
+    def test_type_hints_state_defaults_and_docstrings_state_errors(self):
         with open(os.path.splitext(kerf.__file__)[0] + '.pyi', encoding='utf-8') as text:
             hints = ast.parse(text.read())
         functions = [(node.name, node) for node in hints.body if isinstance(node, ast.FunctionDef)]
@@ -229,7 +229,7 @@ class Module(unittest.TestCase):
                 if signature.count(':') > 1 and name != 'World.add':
                     self.assertIn('Raises', actual.__doc__ if name != 'World.all_hits' else kerf.World.nearest_hits.__doc__)
 
-    def test_threads_read_one_world_at_the_same_time(self):
+    def test_threads_read_one_world_concurrently(self):
         self.world.cut(slot(self.mesh))
         v = np.array(self.mesh.vertices)
         along = np.full_like(v, -1)
@@ -251,7 +251,7 @@ class Module(unittest.TestCase):
             thread.join()
         self.assertEqual(results, [True] * 4)
 
-    def test_progress_takes_the_lock_at_most_fifty_times_a_second(self):
+    def test_progress_acquires_the_gil_at_most_fifty_times_a_second(self):
         shares = []
         begin = time.monotonic()
         for k in range(8):
@@ -260,7 +260,7 @@ class Module(unittest.TestCase):
         self.assertLessEqual(len(shares), most)
         self.assertGreaterEqual(len(shares), 8)  # at least once a call
 
-    def test_a_report_balances_and_a_journal_leads_to_the_same_state(self):
+    def test_a_report_balances_and_a_journal_reproduces_the_state(self):
         result = self.world.cut(slot(self.mesh))
         report = self.world.report()
         self.assertEqual(report['removed']['faces'], result['removed_faces'])
@@ -272,7 +272,7 @@ class Module(unittest.TestCase):
             self.world.save_journal(file)
             self.assertEqual(kerf.World.open(file).hash, self.world.hash)
 
-    def test_a_second_thread_gets_a_sentence_and_the_lock_is_released(self):
+    def test_a_second_thread_gets_an_error_and_the_gil_is_released(self):
         said = []
 
         def disturb(share):
@@ -290,7 +290,7 @@ class Module(unittest.TestCase):
         self.world.cut(slot(self.mesh), progress=disturb)
         self.assertIn('in use', said[0])
 
-    def test_ctrl_c_stops_a_cut_and_changes_nothing(self):
+    def test_ctrl_c_cancels_a_cut_and_changes_nothing(self):
         before, asked = self.world.hash, []
 
         def interrupt(share):
@@ -303,7 +303,7 @@ class Module(unittest.TestCase):
             self.world.cut(slot(self.mesh), progress=lambda share: False)
         self.assertEqual(self.world.hash, before)
 
-    def test_an_array_that_changes_during_a_call_does_no_harm(self):
+    def test_an_array_modified_during_a_call_is_harmless(self):
         v = np.array(self.mesh.vertices)
         stop = threading.Event()
 

@@ -27,8 +27,8 @@ def read_mesh(name):
         return PartMesh(file.read())
 
 
-class Programs(unittest.TestCase):
-    def test_they_write_the_files_of_the_repository_byte_for_byte(self):
+class Generators(unittest.TestCase):
+    def test_generators_reproduce_the_files_of_the_repository_exactly(self):
         with tempfile.TemporaryDirectory() as folder:
             for room in ("meshes", "vehicles", "arenas"):
                 programs = [f for f in os.listdir(os.path.join(ASSETS, room)) if f.endswith(".py")]
@@ -58,14 +58,14 @@ class Vehicle(unittest.TestCase):
             found = [cls.mesh.nearest(*side) for side in zip(joint["parts"], joint["near"])]
             cls.sides.append([(distance, cls.mesh.component[face]) for distance, face in found])
 
-    def test_it_has_three_to_eight_thousand_faces_and_stands_on_the_ground(self):
+    def test_has_three_to_eight_thousand_faces_and_stands_on_the_ground(self):
         self.assertTrue(3000 <= len(self.mesh.faces) <= 8000, len(self.mesh.faces))
         self.assertAlmostEqual(min(p[1] for p in self.mesh.points), 0, delta=0.002)
 
-    def test_its_mesh_has_no_fault(self):
+    def test_mesh_has_no_fault(self):
         self.assertEqual(self.mesh.faults(), [])
 
-    def test_it_has_the_parts_and_the_paints_that_its_file_names(self):
+    def test_has_the_parts_and_paints_named_in_its_file(self):
         turret = self.file["turret"]
         named = [turret["part"], turret["mount"], turret["barrel"]["part"]]
         for entry in self.file["wheels"] + self.file["vital"]:
@@ -77,7 +77,7 @@ class Vehicle(unittest.TestCase):
         self.assertEqual(sorted(entry["kind"] for entry in self.file["vital"]), ["driver", "engine"])
         self.assertEqual(self.mesh.materials, set(self.file["paints"]))
 
-    def test_its_wheels_stand_around_their_hubs_and_its_lens_is_at_the_muzzle(self):
+    def test_wheels_surround_their_hubs_and_the_lens_is_at_the_muzzle(self):
         for wheel in self.file["wheels"]:
             x, y, z = wheel["hub"]
             points = [p for f in self.mesh.parts[wheel["part"]] for p in self.mesh.corners(f)]
@@ -88,13 +88,13 @@ class Vehicle(unittest.TestCase):
         tip = max(p[2] for f in self.mesh.parts[barrel["part"]] for p in self.mesh.corners(f))
         self.assertAlmostEqual(barrel["muzzle"][2], tip, delta=0.001)
 
-    def test_its_joints_lie_where_their_parts_are(self):
+    def test_joints_lie_at_their_parts(self):
         for joint, sides in zip(self.file["joints"], self.sides):
             for near, (distance, _) in zip(joint["near"], sides):
                 self.assertLess(distance, 2e-5, joint)
                 self.assertLess(math.dist(near, joint["anchor"]), 0.13, joint)
 
-    def test_the_hinges_of_a_part_lie_on_one_line_along_their_axis(self):
+    def test_hinges_of_a_part_are_collinear_with_their_axis(self):
         hinges = {}
         for joint in self.file["joints"]:
             if joint["kind"] == "hinge" and joint["parts"][0] != joint["parts"][1]:
@@ -106,7 +106,7 @@ class Vehicle(unittest.TestCase):
                 self.assertAlmostEqual(abs(along), math.hypot(*way), delta=1e-4, msg=first)
                 self.assertEqual(first["axis"], other["axis"])
 
-    def test_all_of_it_hangs_on_the_body_by_the_mesh_or_by_joints(self):
+    def test_every_part_is_connected_to_the_body_by_the_mesh_or_joints(self):
         links = [{component for _, component in sides} for sides in self.sides]
         for joint, link in zip(self.file["joints"], links):
             self.assertTrue(len(link) == 2 or joint["kind"] == "hinge", joint)  # a hinge may cross a seam
@@ -123,18 +123,18 @@ class Arena(unittest.TestCase):
         cls.file = read_json("arenas", "yard.json")
         cls.meshes = {body["mesh"]: read_mesh(os.path.basename(body["mesh"])[:-4]) for body in cls.file["bodies"]}
 
-    def test_it_has_fewer_than_twenty_thousand_faces_and_no_fault(self):
+    def test_has_fewer_than_twenty_thousand_faces_and_no_fault(self):
         self.assertLess(sum(len(self.meshes[body["mesh"]].faces) for body in self.file["bodies"]), 20000)
         for name, mesh in self.meshes.items():
             self.assertEqual(mesh.faults(), [], name)
             self.assertLessEqual(mesh.materials, set(self.file["paints"]), name)
 
-    def test_the_scene_of_the_yard_knows_all_its_paints(self):
+    def test_the_scene_of_the_yard_defines_all_its_paints(self):
         scene = read_json("scenes", "yard.json")
         used = set().union(*(read_mesh(os.path.basename(body["mesh"])[:-4]).materials for body in scene["bodies"]))
         self.assertEqual(used - set(scene["paints"]), set())
 
-    def test_what_can_be_cut_is_glossy_and_what_stands_fast_is_matt(self):
+    def test_cuttable_bodies_are_glossy_and_fixed_ones_matt(self):
         for body in self.file["bodies"]:
             for material in self.meshes[body["mesh"]].materials:
                 gloss = self.file["paints"][material]["gloss"]
@@ -150,7 +150,7 @@ class Arena(unittest.TestCase):
             n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
             self.assertGreater(n[1] / math.hypot(*n), math.cos(math.radians(12)), mesh.corners(face))
 
-    def test_all_start_on_free_ground_within_the_walls(self):
+    def test_all_start_positions_are_on_free_ground_within_the_walls(self):
         starts = [self.file["starts"]["player"], *self.file["starts"]["enemies"]]
         self.assertGreaterEqual(len(starts), 12)
         places = [start["position"] for start in starts]
@@ -171,7 +171,7 @@ class Arena(unittest.TestCase):
                 if 0.1 < py + b < 3:
                     yield math.hypot(px + a * cosine + c * sine - x, pz + c * cosine - a * sine - z)
 
-    def test_the_rules_name_files_that_are_there_and_no_more_enemies_than_have_starts(self):
+    def test_the_rules_name_existing_files_and_fit_the_start_positions(self):
         games = sorted(os.listdir(os.path.join(ASSETS, "games")))
         self.assertEqual(games, ["lesson.json", "sandbox.json", "standard.json", "trial.json"])
         for game in games:
@@ -196,7 +196,7 @@ class Loaded(unittest.TestCase):
             with open(os.path.join(folder, "out", "report.json")) as file:
                 return len(json.load(file)["pieces"])
 
-    def test_vehicles_and_props_load_with_their_joints_and_are_of_one_piece(self):
+    def test_vehicles_and_props_load_with_their_joints_as_one_piece(self):
         files = [read_json("vehicles", name + ".json") for name in VEHICLES]
         props = {body["mesh"]: body for body in read_json("arenas", "yard.json")["bodies"] if body["cuttable"]}
         for body in files + list(props.values()):

@@ -40,15 +40,15 @@ def refused_of(statements):
 
 
 class Formats(unittest.TestCase):
-    def test_right_ones_compile(self):
+    def test_valid_formats_compile(self):
         refused, said = refused_of(GOOD)
         self.assertEqual(refused, [], said)
 
-    def test_wrong_ones_do_not(self):
+    def test_invalid_formats_do_not_compile(self):
         refused, said = refused_of(BAD)
         self.assertEqual(refused, BAD, said)
 
-    def test_formats_that_are_not_checked_are_found(self):
+    def test_unchecked_formats_are_detected(self):
         bad = ['x(ImGui::SliderFloat("a", &x, f(1), 2, "%.2f m"));',
                'ImGui::InputScalar("a)", t, &x,\n nullptr, "%d");',
                'bool field(const char* format);', 'void f(const char *format, int);']

@@ -20,7 +20,7 @@ KERF = os.path.abspath(sys.argv.pop(1))
 
 
 class Kept(unittest.TestCase):
-    def test_ends_at_its_hash(self):
+    def test_every_stored_file_replays_to_its_hash(self):
         with open(os.path.join(HERE, "hashes.json")) as file:
             hashes = json.load(file)
         self.assertEqual(sorted(hashes), sorted(name for name in os.listdir(HERE) if name.endswith(".kerf")))

@@ -32,29 +32,29 @@ class Links(unittest.TestCase):
         self.assertEqual([(page, 2)], [each[:2] for each in found], found)
         self.assertIn(why, found[0][2])
 
-    def test_accepts_links_that_lead_somewhere(self):
+    def test_accepts_links_with_an_existing_target(self):
         self.assertEqual([], broken(GOOD))
 
-    def test_refuses_a_page_or_a_picture_that_is_not_there(self):
+    def test_rejects_a_missing_page_or_image(self):
         self.refuses('[page](README2.md)', 'is not there')
         self.refuses('![picture](b.png)', 'is not there')
         self.refuses('<img src="b.png">', 'is not there')
         self.refuses('[the page]: gone.md', 'is not there')
 
-    def test_refuses_a_path_that_was_right_in_another_folder(self):
+    def test_rejects_a_path_valid_only_in_another_folder(self):
         self.refuses('[page](sub/README.md)', 'is not there')
 
-    def test_refuses_a_picture_within_a_link(self):
+    def test_rejects_an_image_inside_a_link(self):
         self.refuses('[![picture](b.png)](README.md)', 'is not there')
         self.refuses('[![picture](a.png)](gone.md)', 'is not there')
 
-    def test_refuses_a_heading_that_is_not_there(self):
+    def test_rejects_a_missing_heading(self):
         self.refuses('[heading](README.md#three-words)', 'no such heading')
         self.refuses('[heading](#good)', 'no such heading')
         self.refuses('[heading](README.md#again-2)', 'no such heading')
         self.refuses('[heading](../README.md#no-heading)', 'no such heading')
 
-    def test_refuses_what_a_reader_elsewhere_does_not_have(self):
+    def test_rejects_paths_outside_the_repository_or_from_its_root(self):
         self.refuses('[page](/sub/README.md)', 'no path from the page')
         self.refuses('[page](../../other/README.md)', 'leads out of the repository')
 

@@ -13,9 +13,9 @@ inline std::string with(std::string text, const std::string& part, const std::st
   return at == std::string::npos ? text : text.replace(at, part.size(), other);
 }
 
-// A change that makes a file wrong, and what is said of it.
+// A change that makes a file invalid, and the expected part of the error.
 struct Wrong {
-  const char *part, *other, *said;
+  const char *part, *other, *expected;
 };
 
 }  // namespace kerf::test

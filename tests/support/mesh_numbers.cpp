@@ -59,18 +59,18 @@ std::string wrong_neighbours(const Mesh& mesh, Picture& p, FaceId f, bool chance
   const Triangle t = mesh.triangle(f);
   const auto corners = mesh.corners(f);
   std::vector<Mesh::Side> sides;
-  std::vector<FaceId> said;
+  std::vector<FaceId> listed;
   for (int i = 0; i < 3; ++i) {
     const std::vector<FaceId>& true_ones = p.edges[std::minmax(p.number(t[i]), p.number(t[(i + 1) % 3]))];
     if (!has_requests(true_ones, f)) continue;
     sides.clear();
-    said.assign(1, f);
+    listed.assign(1, f);
     mesh.append_edge_sides(f, corners[i], corners[(i + 1) % 3], sides);
-    for (const Mesh::Side& side : sides) said.push_back(side.face);
-    std::sort(said.begin(), said.end());
+    for (const Mesh::Side& side : sides) listed.push_back(side.face);
+    std::sort(listed.begin(), listed.end());
     const bool right = chance_allowed
-                           ? std::includes(true_ones.begin(), true_ones.end(), said.begin(), said.end())
-                           : said == true_ones;
+                           ? std::includes(true_ones.begin(), true_ones.end(), listed.begin(), listed.end())
+                           : listed == true_ones;
     if (!right) return "face " + std::to_string(f.index) + " has other neighbours than its edge has faces";
   }
   return {};

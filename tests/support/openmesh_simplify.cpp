@@ -184,8 +184,8 @@ class Watch : public decimater::Observer {
   explicit Watch(Work& work) : Observer(1), work_(work) {}
   void notify(size_t collapses) override {
     if (collapses % kBetweenReports != 0) return;
-    const auto gone = static_cast<double>(work_.begin - work_.left);
-    work_.report(gone / static_cast<double>(work_.begin - work_.target));
+    const auto collapsed = static_cast<double>(work_.begin - work_.left);
+    work_.report(collapsed / static_cast<double>(work_.begin - work_.target));
   }
   bool abort() const override { return work_.done(); }
 

@@ -22,10 +22,10 @@ TEST(Assert, reports_each_failing_place_once_and_continues_if_not_fatal) {
   const EnvironmentVariable asserts("KERF_ASSERTS", nullptr);
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) KERF_ASSERT(i < 0);
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
-  EXPECT_NE(said.find("i < 0"), std::string::npos);
-  EXPECT_NE(said.find("assert_test.cpp:"), std::string::npos);
+  const std::string output = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1);
+  EXPECT_NE(output.find("i < 0"), std::string::npos);
+  EXPECT_NE(output.find("assert_test.cpp:"), std::string::npos);
 }
 
 TEST(AssertDeathTest, aborts_if_the_environment_variable_is_set) {

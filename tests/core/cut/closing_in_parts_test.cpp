@@ -89,9 +89,9 @@ TEST(ClosingInParts, gives_the_same_world_bit_for_bit_as_without_slicing) {
     const std::vector<NamedSoup> solids = generated_solids();
     const NamedSoup& solid = solids[random.below(solids.size())];
     const SolidStroke stroke = random_solid_stroke(world_of(solid.soup), random);
-    SolidBeforeClosing in_parts(solid.soup, stroke), at_once(solid.soup, stroke);
-    at_once.settings.faces_per_step = std::numeric_limits<size_t>::max();
-    ASSERT_TRUE(at_once.step());
+    SolidBeforeClosing in_parts(solid.soup, stroke), unsliced(solid.soup, stroke);
+    unsliced.settings.faces_per_step = std::numeric_limits<size_t>::max();
+    ASSERT_TRUE(unsliced.step());
     size_t steps = 0;
     do {
       ASSERT_TRUE(in_parts.step());
@@ -99,8 +99,8 @@ TEST(ClosingInParts, gives_the_same_world_bit_for_bit_as_without_slicing) {
     } while (in_parts.rim.begun());
     EXPECT_GT(steps, 10);
     in_parts.settle();
-    at_once.settle();
-    expect_same_world(in_parts.world, at_once.world);
+    unsliced.settle();
+    expect_same_world(in_parts.world, unsliced.world);
     closed += in_parts.is_closed();
   }
   EXPECT_GE(closed, runs(20) * 9 / 10);

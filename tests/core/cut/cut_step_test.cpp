@@ -327,16 +327,16 @@ TEST(CutStep, lists_every_changed_face_in_its_delta) {
     remember();
     const auto result = cut_whole(world, stroke.settings, {&move, 1});
     ASSERT_TRUE(result.ok());
-    std::vector<int> told(body.mesh.face_slots(), 0);
+    std::vector<int> reported(body.mesh.face_slots(), 0);
     for (const BodyDelta& d : result->delta.bodies) {
-      for (const FaceId f : d.added) told[f.index] = 1;
-      for (const FaceId f : d.dead) told[f.index] = 2;
+      for (const FaceId f : d.added) reported[f.index] = 1;
+      for (const FaceId f : d.dead) reported[f.index] = 2;
     }
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       const bool was = f < live.size() && live[f], is = body.mesh.is_live(FaceId(f));
-      if (was && !is) EXPECT_EQ(told[f], 2);
+      if (was && !is) EXPECT_EQ(reported[f], 2);
       if (is && (!was || longest_edge2(before[f]) != longest_edge2(body.mesh.triangle(FaceId(f)))))
-        EXPECT_EQ(told[f], 1);
+        EXPECT_EQ(reported[f], 1);
     }
   }
 }

@@ -110,7 +110,7 @@ TEST(DepositHeat, creates_no_faces_and_removes_the_same_as_without_heat) {
 TEST(DepositHeat, heats_walls_of_a_solid_to_the_melting_point_for_any_step_size) {
   const Vec3 size(0.2, 0.05, 0.2);
   std::vector<uint64_t> hashes;
-  for (const bool at_once : {true, false}) {
+  for (const bool unsliced : {true, false}) {
     World world = world_of(inside_out(brick(size)));
     const BodyId id = world.ids().front();
     make_solid(world.body(id), true);
@@ -119,8 +119,8 @@ TEST(DepositHeat, heats_walls_of_a_solid_to_the_melting_point_for_any_step_size)
     stroke.settings.faces_per_step = 1;
     const std::vector<BeamMove> moves = subdivide({stroke.poses[0], stroke.poses[1], 1}, kRadius, 0.2);
     ASSERT_TRUE(cut_whole(world, stroke.settings, moves).ok());
-    if (at_once) ASSERT_TRUE(close_rim(world, stroke.settings, moves).ok());
-    if (!at_once) close_rim_in_steps(world, stroke.settings, moves);
+    if (unsliced) ASSERT_TRUE(close_rim(world, stroke.settings, moves).ok());
+    if (!unsliced) close_rim_in_steps(world, stroke.settings, moves);
     const Body& body = world.body(id);
     size_t walls = 0;
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
@@ -200,7 +200,7 @@ TEST(DepositHeat, cools_with_the_clock_and_is_undone_with_its_stroke) {
 }
 
 TEST(DepositHeat, cools_identically_for_any_step_size) {
-  const auto hash_after = [](size_t most_at_once) {
+  const auto hash_after = [](size_t max_ticks) {
     Slot slot(0.002, Rim::kSmooth);
     Document document(slot.world);
     document.apply(BeginStroke{slot.settings, slot.moves.front().from});
@@ -208,7 +208,7 @@ TEST(DepositHeat, cools_identically_for_any_step_size) {
     document.apply(EndStroke{});
     EXPECT_TRUE(run_all(document).ok());
     document.apply(AdvanceTime{61, false});
-    while (document.waiting() > 0) EXPECT_TRUE(document.step(most_at_once).ok());
+    while (document.waiting() > 0) EXPECT_TRUE(document.step(max_ticks).ok());
     return state_hash(document.world());
   };
   const uint64_t expected = hash_after(64);

@@ -161,12 +161,12 @@ TEST_F(AutosaveFolder, a_process_killed_at_any_moment_loses_no_reported_command)
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
-    uint32_t told = 0, kept = 0;
-    while (::read(ends[0], &kept, sizeof kept) == sizeof kept) told = kept;
+    uint32_t reported = 0, kept = 0;
+    while (::read(ends[0], &kept, sizeof kept) == sizeof kept) reported = kept;
     ::close(ends[0]);
     auto found = left();
     ASSERT_LE(found.size(), 1u);
-    EXPECT_GE(found.empty() ? 0 : found.front().journal.commands.size(), told);
+    EXPECT_GE(found.empty() ? 0 : found.front().journal.commands.size(), reported);
     for (RecoverableDocument& work : found) work.file.remove();
   }
 }

@@ -218,9 +218,9 @@ TEST(Document, the_rest_of_a_failed_stroke_is_cut_the_same_at_any_failure_time) 
     while (document.waiting() > 0) (void)document.step(4).ok();
   };
   for (Document& document : documents) {
-    const bool at_once = &document == &documents[0];
+    const bool immediate = &document == &documents[0];
     document.apply(BeginStroke{too_fine, {{-0.3, 1, 0.2}, {0, -1, 0}}});
-    if (at_once) drain(document);
+    if (immediate) drain(document);
     for (const double x : {0.0, 0.3}) document.apply(MoveBeam{{{x, 1, 0.2}, {0, -1, 0}}});
     document.apply(EndStroke{});
     drain(document);

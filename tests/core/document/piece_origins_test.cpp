@@ -43,7 +43,7 @@ std::optional<uint32_t> piece_before(const std::map<uint32_t, PieceNode>& origin
 
 // A face that lived before a stroke and has another label after it tells what the piece came off.
 TEST(PieceOrigins, match_the_labels_before_and_after_each_stroke) {
-  size_t told = 0;
+  size_t compared = 0;
   for (uint64_t seed = 1; seed <= runs(24); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Document document(world_of(seed % 2 == 0 ? grid(12, 2) : sphere(12, 16, 1)));
@@ -66,10 +66,10 @@ TEST(PieceOrigins, match_the_labels_before_and_after_each_stroke) {
       ASSERT_TRUE(origin.came_off) << "piece " << label;
       EXPECT_EQ(origin.step, found->second.second) << "piece " << label;
       if (const auto before = piece_before(origins, label)) EXPECT_EQ(*before, found->second.first) << label;
-      ++told;
+      ++compared;
     }
   }
-  EXPECT_GT(told, 20u);
+  EXPECT_GT(compared, 20u);
 }
 
 TEST(PieceOrigins, follow_undo) {

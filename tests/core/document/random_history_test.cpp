@@ -39,7 +39,7 @@ void expect_whole(const World& world) {
 }
 
 // The command with steps of whole moves.
-Command with_one_bite(Command command) {
+Command with_unlimited_steps(Command command) {
   if (auto* begin = std::get_if<BeginStroke>(&command))
     begin->settings.faces_per_step = std::numeric_limits<size_t>::max();
   return command;
@@ -93,7 +93,7 @@ struct Model {
     for (size_t i = 0; i < at; ++i) {
       if (i + 1 < at && steps[i + 1].again) continue;
       for (const Command& c : steps[i].commands)
-        EXPECT_TRUE(fresh.apply(with_id(with_one_bite(c), fresh.world())).ok());
+        EXPECT_TRUE(fresh.apply(with_id(with_unlimited_steps(c), fresh.world())).ok());
       finish(fresh);
     }
     return fresh.world();

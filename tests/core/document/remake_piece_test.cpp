@@ -351,8 +351,8 @@ TEST(PrepareCommands, change_nothing_if_cancelled_or_without_effect) {
     EXPECT_GT(reports, 4);
     for (int most = 0; most < reports; most += reports / 8 + 1) {
       Document document(before);
-      int asked = 0;
-      const Progress stop{[&](double) { return asked++ < most; }};
+      int calls = 0;
+      const Progress stop{[&](double) { return calls++ < most; }};
       const Outcome outcome = document.apply(command, &stop);
       ASSERT_FALSE(outcome.ok());
       EXPECT_EQ(outcome.error().message, cancelled().message);

@@ -91,26 +91,26 @@ TEST(RewrittenFiles, save_points_round_trip) {
 }
 
 // Whether a key with this value need not be written.
-bool goes_without_saying(const std::string& key, const nlohmann::json& value) {
-  const nlohmann::json unsaid{{"position", {0, 0, 0}},
-                              {"orientation", {1, 0, 0, 0}},
-                              {"thickness", 0.001},
-                              {"density", 7850},
-                              {"joints", nlohmann::json::array()}};
-  return unsaid.contains(key) && unsaid[key] == value;
+bool is_default(const std::string& key, const nlohmann::json& value) {
+  const nlohmann::json defaults{{"position", {0, 0, 0}},
+                                {"orientation", {1, 0, 0, 0}},
+                                {"thickness", 0.001},
+                                {"density", 7850},
+                                {"joints", nlohmann::json::array()}};
+  return defaults.contains(key) && defaults[key] == value;
 }
 
-// Whether all that `part` says is said by `whole`, which may say more.
-bool says(const nlohmann::json& whole, const nlohmann::json& part) {
+// Returns true if `whole` contains all of `part`.
+bool contains_all(const nlohmann::json& whole, const nlohmann::json& part) {
   if (!part.is_structured()) return whole == part;
   if (part.is_array() && whole.size() != part.size()) return false;
   for (const auto& item : part.items()) {
     if (part.is_object() && !whole.contains(item.key())) {
-      if (goes_without_saying(item.key(), item.value())) continue;
+      if (is_default(item.key(), item.value())) continue;
       return false;
     }
     const nlohmann::json& other = part.is_object() ? whole[item.key()] : whole[std::stoul(item.key())];
-    if (!says(other, item.value())) return false;
+    if (!contains_all(other, item.value())) return false;
   }
   return true;
 }
@@ -157,7 +157,7 @@ TEST(RewrittenFiles, journals_of_the_assets_keep_their_content) {
     std::istringstream before(read_text(file)), after(journal_text(*journal, file.parent_path()));
     for (std::string a, b; std::getline(before, a);) {
       ASSERT_TRUE(std::getline(after, b));
-      EXPECT_TRUE(says(nlohmann::json::parse(b), nlohmann::json::parse(a))) << a << "\n" << b;
+      EXPECT_TRUE(contains_all(nlohmann::json::parse(b), nlohmann::json::parse(a))) << a << "\n" << b;
     }
     const std::string whole = journal_text(*journal, {});
     write_text(folder / "again.kerf", whole);
@@ -175,7 +175,7 @@ TEST(RewrittenFiles, scenes_keep_their_content) {
     const auto written = scene_json(*scene, file.parent_path());
     auto before = nlohmann::json::parse(read_text(file));
     before.erase("strokes");  // of which directions become unit vectors
-    EXPECT_TRUE(says(written, before)) << written.dump(1);
+    EXPECT_TRUE(contains_all(written, before)) << written.dump(1);
     const auto again =
         parse_scene(JsonValue(nlohmann::json::parse(written.dump()), "again"), file.parent_path());
     EXPECT_EQ(scene_json(*again, file.parent_path()).dump(), written.dump());

@@ -142,13 +142,13 @@ TEST_F(SolidScene, rejects_any_other_value) {
 
 TEST_F(SolidScene, saves_the_key_as_read_and_omits_it_without_solid_bodies) {
   write_box(true);
-  for (const char* said : {"", "true", "\"auto\""}) {
-    const auto scene = read_with(*said == 0 ? "" : std::string(R"(, "solid": )") + said);
+  for (const char* value : {"", "true", "\"auto\""}) {
+    const auto scene = read_with(*value == 0 ? "" : std::string(R"(, "solid": )") + value);
     ASSERT_TRUE(scene.ok());
     ASSERT_TRUE(save_scene(folder_ / "again.json", *scene).ok());
     const auto json = nlohmann::json::parse(read_text(folder_ / "again.json"));
     const nlohmann::json& body = json["bodies"][0];
-    EXPECT_EQ(body.contains("solid") ? body["solid"].dump() : "", said);
+    EXPECT_EQ(body.contains("solid") ? body["solid"].dump() : "", value);
   }
 }
 

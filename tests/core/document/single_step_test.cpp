@@ -87,10 +87,10 @@ class RandomWalk {
     const size_t stages = random_.below(single_.stages() + 1);
     const size_t from = single_.resumes_after(stages);
     ASSERT_TRUE(from < stages || stages == 0);
-    size_t told = from;
-    ASSERT_TRUE(single_.go_back_to(stages, [&](const StageRecord&) { ++told; }).ok());
+    size_t reported = from;
+    ASSERT_TRUE(single_.go_back_to(stages, [&](const StageRecord&) { ++reported; }).ok());
     ASSERT_EQ(single_.stages(), stages);
-    ASSERT_EQ(told, stages);
+    ASSERT_EQ(reported, stages);
     expect_known_state();
   }
 
@@ -215,16 +215,17 @@ TEST(SingleStep, reports_changes_of_a_step_back) {
   while (single.stages() < 20) ASSERT_TRUE(single.next().ok());
   const std::vector<uint32_t> live = live_slots(document.world());
   while (document.waiting() > 0) ASSERT_TRUE(single.next().ok());
-  std::vector<uint32_t> told = live_slots(document.world());
+  std::vector<uint32_t> reported = live_slots(document.world());
   const Outcome back = single.go_back_to(20);
   ASSERT_EQ(back.delta.bodies.size(), 1u);
   const BodyDelta& delta = back.delta.bodies.front();
-  std::erase_if(
-      told, [&](uint32_t f) { return std::binary_search(delta.dead.begin(), delta.dead.end(), FaceId(f)); });
-  for (const FaceId f : delta.added) told.push_back(f.index);
-  std::sort(told.begin(), told.end());
-  told.erase(std::unique(told.begin(), told.end()), told.end());
-  EXPECT_EQ(told, live);
+  std::erase_if(reported, [&](uint32_t f) {
+    return std::binary_search(delta.dead.begin(), delta.dead.end(), FaceId(f));
+  });
+  for (const FaceId f : delta.added) reported.push_back(f.index);
+  std::sort(reported.begin(), reported.end());
+  reported.erase(std::unique(reported.begin(), reported.end()), reported.end());
+  EXPECT_EQ(reported, live);
 }
 
 TEST(SingleStep, stepping_back_can_be_cancelled) {

@@ -84,13 +84,13 @@ TEST(Specks, stay_specks_when_they_become_bodies) {
 TEST(Specks, are_reported_by_the_stage_that_cuts_them_off) {
   Document document = strips();
   SingleStep single(document);
-  size_t told = 0;
+  size_t reported = 0;
   while (document.waiting() > 0) {
     const Result<StageRecord> stage = single.next();
     ASSERT_TRUE(stage.ok());
-    told += stage->specks;
+    reported += stage->specks;
   }
-  EXPECT_EQ(told, 1u);
+  EXPECT_EQ(reported, 1u);
   EXPECT_EQ(specks(document).size(), 1u);
 }
 

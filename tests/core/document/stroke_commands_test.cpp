@@ -130,15 +130,15 @@ TEST(StopStroke, truncates_and_recuts_a_finished_stroke) {
     Random random(seed);
     const std::vector<Command> stroke = random_stroke(random);
     const StopStroke stop{random.uniform(0.1, 4)};
-    Document at_once = stopped_document(), late = stopped_document();
-    draw_stroke(at_once, stroke);
-    ASSERT_TRUE(at_once.apply(stop).ok());
-    finish_all(at_once);
+    Document early = stopped_document(), late = stopped_document();
+    draw_stroke(early, stroke);
+    ASSERT_TRUE(early.apply(stop).ok());
+    finish_all(early);
     draw_stroke(late, stroke);
     finish_all(late);
     ASSERT_TRUE(late.apply(stop).ok());
     finish_all(late);
-    expect_same_world(at_once.world(), late.world());
+    expect_same_world(early.world(), late.world());
     EXPECT_EQ(late.history().size(), 1u);
   }
 }

@@ -54,12 +54,12 @@ TEST(UndoStack, a_cancelled_stroke_is_undone) {
     const World before = document.world();
     for (const Command& c : second) ASSERT_TRUE(document.apply(c).ok());
     ASSERT_TRUE(document.step(1).ok());
-    int asked = 0;
-    const Progress stop{[&](double) { return ++asked < 20; }};
+    int reports = 0;
+    const Progress stop{[&](double) { return ++reports < 20; }};
     while (document.waiting() > 0) {
       if (!document.step(1, &stop)) break;
     }
-    EXPECT_GE(asked, 20);
+    EXPECT_GE(reports, 20);
     expect_same_world(document.world(), before);
     EXPECT_EQ(document.history().position(), 1u);
     EXPECT_EQ(document.history().totals().strokes, 1u);
@@ -80,30 +80,30 @@ TEST(UndoStack, reading_the_state_before_a_stroke_does_not_affect_the_stroke) {
   for (uint64_t seed = 301; seed <= 303; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Document asked(ring_and_book()), left_alone(ring_and_book());
+    Document inspected(ring_and_book()), reference(ring_and_book());
     for (int stroke = 0; stroke < 2; ++stroke) {
-      const World before = asked.world();
+      const World before = inspected.world();
       auto commands = random_stroke_commands(random);
       CutSettings& settings = std::get<BeginStroke>(commands.front()).settings;
       settings.faces_per_step = 1 + random.below(100);
       settings.search_a_move = 1 + random.below(100);
       for (const Command& c : commands) {
-        ASSERT_TRUE(asked.apply(c).ok());
-        ASSERT_TRUE(left_alone.apply(c).ok());
+        ASSERT_TRUE(inspected.apply(c).ok());
+        ASSERT_TRUE(reference.apply(c).ok());
       }
-      while (asked.waiting() > 0) {
-        ASSERT_TRUE(asked.step(1).ok());
+      while (inspected.waiting() > 0) {
+        ASSERT_TRUE(inspected.step(1).ok());
         if (random.below(4) != 0) continue;
-        const auto then = asked.before_last_stroke();
+        const auto then = inspected.before_last_stroke();
         ASSERT_TRUE(then.has_value());
         EXPECT_EQ(state_hash(*then), state_hash(before));
       }
-      finish(left_alone);
-      expect_same_world(asked.world(), left_alone.world());
+      finish(reference);
+      expect_same_world(inspected.world(), reference.world());
     }
-    ASSERT_TRUE(asked.apply(Undo{}).ok());
-    ASSERT_TRUE(left_alone.apply(Undo{}).ok());
-    expect_same_world(asked.world(), left_alone.world());
+    ASSERT_TRUE(inspected.apply(Undo{}).ok());
+    ASSERT_TRUE(reference.apply(Undo{}).ok());
+    expect_same_world(inspected.world(), reference.world());
     if (HasFailure()) return;
   }
 }

@@ -15,7 +15,7 @@
 namespace kerf::test {
 namespace {
 
-void take_away(Body& body, FaceId f) { BodyEdit(body).remove({&f, 1}); }
+void remove_face(Body& body, FaceId f) { BodyEdit(body).remove({&f, 1}); }
 
 // Bisects the face over one of its edges, and all faces on that.
 void split(Body& body, FaceId f, size_t edge) {
@@ -54,13 +54,13 @@ void expect_labels_of_the_full_search(const Body& body, const std::vector<uint32
 }
 
 // Clumps of faces, grown over shared edges: holes, slots that close, islands.
-void take_clump_away(Body& body, Random& random, uint64_t faces) {
+void remove_clump(Body& body, Random& random, uint64_t faces) {
   FaceId f = live_face(body, random);
   std::vector<FaceId> neighbours;
   for (uint64_t i = 0; i < faces && body.mesh.live_faces() > 0; ++i) {
     neighbours.clear();
     body.mesh.append_nearest_neighbours(f, neighbours);
-    take_away(body, f);
+    remove_face(body, f);
     std::erase_if(neighbours, [&](FaceId n) { return !body.mesh.is_live(n); });
     if (neighbours.empty()) return;
     f = neighbours[random.below(neighbours.size())];
@@ -80,7 +80,7 @@ void edit_at_random(const std::string& name, const Soup& soup, uint64_t seed, si
       for (uint64_t i = random.below(4); i > 0; --i) split(body, live_face(body, random), random.below(3));
     }
     for (uint64_t i = random.below(3); i > 0 && body.mesh.live_faces() > 0; --i)
-      take_clump_away(body, random, 1 + random.below(12));
+      remove_clump(body, random, 1 + random.below(12));
     settle(body, random.below(8) == 0 ? kNoLimit : most);
     if (is_settled(body)) expect_labels_of_the_full_search(body, loaded);
     if (::testing::Test::HasFatalFailure()) return;
@@ -112,7 +112,7 @@ TEST(Separation, equals_the_full_search_on_real_meshes) {
     label_components(body.mesh, loaded);
     Random random(7);
     for (int step = 0; step < 40 && body.mesh.live_faces() > 0; ++step) {
-      take_clump_away(body, random, 1 + body.mesh.live_faces() / 40);
+      remove_clump(body, random, 1 + body.mesh.live_faces() / 40);
       settle(body);
       expect_labels_of_the_full_search(body, loaded);
       if (HasFatalFailure()) return;
@@ -136,7 +136,7 @@ BandCut cut_band(const Soup& soup, double low, double high, uint64_t seed) {
   for (size_t i = band.size(); i > 1; --i) std::swap(band[i - 1], band[random.below(i)]);
   BandCut cut;
   for (const FaceId f : band) {
-    take_away(body, f);
+    remove_face(body, f);
     const SettleResult result = settle(body);
     cut.in_vain += result.visited > 0 && result.new_pieces.empty();
     cut.visited = std::max(cut.visited, result.visited);
@@ -176,7 +176,7 @@ Settled settle_band(const Body& whole, double low, double high, size_t most, Edi
   for (uint32_t f = 0; f < whole.mesh.face_slots(); ++f) {
     const Triangle t = whole.mesh.triangle(FaceId(f));
     const double y = (t[0].y + t[1].y + t[2].y) / 3;
-    if (y > low && y < high) take_away(settled.body, FaceId(f));
+    if (y > low && y < high) remove_face(settled.body, FaceId(f));
   }
   do {
     const SettleResult result = settle(settled.body, most, policy);
@@ -227,7 +227,7 @@ TEST(Separation, treats_each_boundary_as_one_place) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const Triangle t = body.mesh.triangle(FaceId(f));
       const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
-      if (std::abs(middle.z) < 0.06 && middle.x * side > 0) take_away(body, FaceId(f));
+      if (std::abs(middle.z) < 0.06 && middle.x * side > 0) remove_face(body, FaceId(f));
     }
     const SettleResult result = settle(body);
     searches += result.visited > 0;
@@ -252,7 +252,7 @@ TEST(Separation, finds_all_parts_between_several_cuts_when_interrupted) {
         const Triangle t = body.mesh.triangle(FaceId(f));
         const double share = ((t[0].y + t[1].y + t[2].y) / 3 - low) / length;
         if (std::abs(share - 0.5 + middle / 2) < 0.03 || std::abs(share - 0.5 - middle / 2) < 0.03)
-          take_away(body, FaceId(f));
+          remove_face(body, FaceId(f));
       }
       do {
         settle(body, most);
@@ -275,7 +275,7 @@ TEST(Separation, keeps_the_label_on_the_part_of_largest_area) {
   soup.faces_in_file = soup.triangles_in_file = soup.triangles.size();
   Body body = make_body("strip", build(soup));
   const FaceId bridge(static_cast<uint32_t>(soup.triangles.size() - 2)), large(bridge.index + 1);
-  take_away(body, bridge);
+  remove_face(body, bridge);
   const auto result = settle(body);
   ASSERT_EQ(result.new_pieces.size(), 1u);
   EXPECT_EQ(body.mesh.data(large).piece, 0u);
@@ -288,7 +288,7 @@ TEST(Separation, keeps_the_label_on_the_part_with_the_lowest_face_among_equals) 
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     const Triangle t = body.mesh.triangle(FaceId(f));
     const double y = (t[0].y + t[1].y + t[2].y) / 3, middle = (body.loaded.min.y + body.loaded.max.y) / 2;
-    if (std::abs(y - middle) < 0.05) take_away(body, FaceId(f));
+    if (std::abs(y - middle) < 0.05) remove_face(body, FaceId(f));
   }
   ASSERT_EQ(settle(body).new_pieces.size(), 1u);
   uint32_t lowest = 0;
@@ -300,7 +300,7 @@ TEST(Separation, keeps_the_label_on_the_part_with_the_lowest_face_among_equals) 
 TEST(Separation, does_not_separate_parts_that_were_never_connected) {
   Body body = make_body("two", build(both(sphere(5, 6, 0.3), moved(sphere(5, 6, 0.3), {1, 0, 0}, 1))));
   for (const uint32_t f : {0u, 1u, 60u, 61u}) {
-    if (body.mesh.is_live(FaceId(f))) take_away(body, FaceId(f));
+    if (body.mesh.is_live(FaceId(f))) remove_face(body, FaceId(f));
   }
   EXPECT_TRUE(settle(body).new_pieces.empty());
 }
@@ -313,7 +313,7 @@ TEST(Separation, gives_the_same_result_after_its_state_is_discarded) {
     label_components(body.mesh, loaded);
     Random random(seed);
     while (body.mesh.live_faces() > 0) {
-      take_clump_away(body, random, 1 + random.below(12));
+      remove_clump(body, random, 1 + random.below(12));
       settle(body);
       expect_labels_of_the_full_search(body, loaded);
       if (HasFatalFailure()) return;

@@ -175,8 +175,8 @@ TEST(AddFaces, in_slices_gives_the_same_mesh_bit_for_bit) {
     Mesh mesh = random_closed_mesh(random);
     const std::vector<CornerIds> removed = remove_patch(mesh, random);
     const uint32_t slots = mesh.vertex_slots();
-    Mesh at_once = mesh;
-    at_once.add_faces(removed, std::vector<FaceData>(removed.size()));
+    Mesh unsliced = mesh;
+    unsliced.add_faces(removed, std::vector<FaceData>(removed.size()));
 
     std::set<VertexId> corners;
     for (const CornerIds& c : removed) corners.insert(c.begin(), c.end());
@@ -202,7 +202,7 @@ TEST(AddFaces, in_slices_gives_the_same_mesh_bit_for_bit) {
     std::vector<FaceId> changed;
     while (!addition.split_fans(mesh, 1 + random.below(5), changed)) {
     }
-    ASSERT_NO_FATAL_FAILURE(expect_same_mesh(mesh, at_once));
+    ASSERT_NO_FATAL_FAILURE(expect_same_mesh(mesh, unsliced));
     ASSERT_EQ(find_fault(mesh), "");
     for (const FaceId f : changed) ASSERT_TRUE(mesh.is_live(f));
     EXPECT_EQ(changed.empty(), mesh.vertex_slots() == slots);

@@ -16,9 +16,9 @@ std::vector<uint32_t> enclosing(const Soup& soup, uint32_t rays) {
   std::vector<Soup::Triangle> triangles;
   for (auto t : soup.triangles) triangles.push_back({first[t[0]], first[t[1]], first[t[2]]});
   const auto patches = find_patches(triangles, group_sides(triangles, soup.positions.size()), nullptr);
-  std::vector<uint32_t> asked(patches->count());
-  std::iota(asked.begin(), asked.end(), 0u);
-  return count_enclosing(soup.positions, triangles, *patches, asked, rays);
+  std::vector<uint32_t> all_patches(patches->count());
+  std::iota(all_patches.begin(), all_patches.end(), 0u);
+  return count_enclosing(soup.positions, triangles, *patches, all_patches, rays);
 }
 
 // Whether each is inside another one.

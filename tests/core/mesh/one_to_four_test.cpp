@@ -105,14 +105,14 @@ TEST(OneToFour, reports_every_changed_slot) {
       for (uint32_t f = 0; f < mesh.face_slots(); ++f) before.push_back(mesh.triangle(FaceId(f)));
       std::vector<Replacement> replaced;
       refinement.split(mesh, random_live_face(mesh, random), replaced);
-      std::vector<bool> told(mesh.face_slots());
+      std::vector<bool> reported(mesh.face_slots());
       for (const auto& r : replaced) {
-        for (int k = 0; k < r.added_count; ++k) told[r.added[k].index] = true;
+        for (int k = 0; k < r.added_count; ++k) reported[r.added[k].index] = true;
       }
       for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
         const bool changed =
             f >= before.size() || longest_edge2(before[f]) != longest_edge2(mesh.triangle(FaceId(f)));
-        if (changed) EXPECT_TRUE(told[f]) << "slot " << f << ", seed " << seed;
+        if (changed) EXPECT_TRUE(reported[f]) << "slot " << f << ", seed " << seed;
       }
     }
   }

@@ -24,7 +24,7 @@ std::set<std::pair<BodyId, BodyId>> intersecting_pairs(const World& world) {
   return pairs;
 }
 
-double fastest(const World& world) {
+double max_speed(const World& world) {
   double most = 0;
   for (BodyId id : world.ids()) {
     const Body& body = world.body(id);
@@ -80,7 +80,7 @@ TEST(Piles, initially_intersecting_sheets_are_not_ejected) {
   const double free_fall = std::sqrt(2 * 9.81 * 0.9);
   for (Ticks t = 0; t < 2 * kTicksPerSecond; ++t) {
     physics.tick(world);
-    ASSERT_LT(fastest(world), free_fall) << t;
+    ASSERT_LT(max_speed(world), free_fall) << t;
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Piles, plates_created_crossing_separate_slowly_and_sleep) {
     for (Ticks t = 0; t < 5 * kTicksPerSecond; ++t) {
       const Placement before[] = {world.body(flat).placement, world.body(other).placement};
       physics.tick(world);
-      EXPECT_LT(fastest(world), 0.001) << t;
+      EXPECT_LT(max_speed(world), 0.001) << t;
       for (const BodyId id : {flat, other})
         ASSERT_LE(farthest_way(before[id == other], world.body(id)), 0.05 / kTicksPerSecond) << t;
     }

@@ -51,8 +51,8 @@ struct Edited {
 
   void split(FaceId f) { refinement.split(mesh, f, late); }
   void bisect(FaceId f) { bisect_longest_edge(mesh, refinement, f, late); }
-  void tell() {
-    // One tree hears of each by itself, the other of all at once.
+  void update_trees() {
+    // One tree is updated face by face, the other in one call.
     for (const auto& r : late)
       sse4.replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
     best.replace(mesh, late);
@@ -156,11 +156,11 @@ TEST(TreeEdits, all_queries_equal_brute_force_after_random_edits) {
           if (random.below(4) > 0 && e.mesh.data(f).halvings < 18 && e.refinement.can_split(e.mesh, f)) {
             random.below(2) > 0 ? e.split(f) : e.bisect(f);
           } else {
-            e.tell();
+            e.update_trees();
             e.remove(f);
           }
         }
-        e.tell();
+        e.update_trees();
         ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
         expect_boxes_nest(e.best, e.mesh);
         ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
@@ -175,16 +175,16 @@ void edit_at_random(Edited& e, Random& random) {
     const FaceId f(static_cast<uint32_t>(random.below(e.mesh.face_slots())));
     const uint64_t what = random.below(6);
     if (what == 0) {
-      e.tell();
+      e.update_trees();
       if (e.mesh.live_faces() > 0) e.add(1 + static_cast<int>(random.below(12)), random);
     } else if (e.mesh.is_live(f) && what == 1) {
-      e.tell();
+      e.update_trees();
       e.remove(f);
     } else if (e.mesh.is_live(f) && e.mesh.data(f).halvings < 18 && e.refinement.can_split(e.mesh, f)) {
       random.below(2) > 0 ? e.split(f) : e.bisect(f);
     }
   }
-  e.tell();
+  e.update_trees();
 }
 
 TEST(TreeEdits, all_queries_equal_brute_force_with_added_faces) {
@@ -260,7 +260,7 @@ TEST(TreeEdits, finds_faces_a_ten_millionth_the_size_of_the_mesh) {
     ASSERT_TRUE(std::find(found.begin(), found.end(), hits[0].face) != found.end()) << "level " << level;
     if (!e.refinement.can_split(e.mesh, hits[0].face)) break;
     e.split(hits[0].face);
-    e.tell();
+    e.update_trees();
   }
   std::vector<RayHit> hits;
   e.best.crossings(e.mesh, ray, range, hits);
@@ -274,7 +274,7 @@ TEST(TreeEdits, boxes_grow_after_a_late_replacement_update) {
   Edited e(plate(1));
   const double width = e.best.bounds().max.x - e.best.bounds().min.x;
   for (int i = 0; i < 40; ++i) e.split(FaceId(0));  // the slot of a part that gets smaller and smaller
-  e.tell();
+  e.update_trees();
   EXPECT_EQ(e.best.bounds().max.x - e.best.bounds().min.x, width);
   expect_boxes_nest(e.best, e.mesh);
   size_t faces = 0;

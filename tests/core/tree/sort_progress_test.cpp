@@ -16,18 +16,18 @@ void sort(SortProgress& progress, size_t faces) {
 }
 
 TEST(SortProgress, rises_to_completion_in_at_most_a_hundred_reports) {
-  std::vector<double> told;
+  std::vector<double> reports;
   const Progress progress{[&](double done) {
-    if (!told.empty()) EXPECT_GE(done, told.back());
-    told.push_back(done);
+    if (!reports.empty()) EXPECT_GE(done, reports.back());
+    reports.push_back(done);
     return true;
   }};
   SortProgress sorting(&progress, 100'000);
   sort(sorting, 100'000);
-  EXPECT_LE(told.size(), 102u);
-  EXPECT_GT(told.size(), 50u);
-  EXPECT_GT(told.back(), 0.98);
-  EXPECT_LE(told.back(), 1);
+  EXPECT_LE(reports.size(), 102u);
+  EXPECT_GT(reports.size(), 50u);
+  EXPECT_GT(reports.back(), 0.98);
+  EXPECT_LE(reports.back(), 1);
   EXPECT_FALSE(sorting.stopped());
 }
 

@@ -101,10 +101,10 @@ TEST(Delta, undo_and_redo_cancel_except_for_faces) {
 // All that there is to know of a world, kept up by deltas alone where the world was not replaced.
 class Follower {
  public:
-  explicit Follower(const World& world) { look_anew(world); }
+  explicit Follower(const World& world) { rebuild(world); }
 
   void follow(const World& world, const Delta& delta) {
-    if (delta.replaced) return look_anew(world);
+    if (delta.replaced) return rebuild(world);
     for (const BodyId id : delta.destroyed) ASSERT_EQ(known_.erase(id), 1u);
     for (const Detached& d : delta.detached) {
       if (!d.keeps_slots || !known_.contains(d.from)) continue;
@@ -152,7 +152,7 @@ class Follower {
   }
   Face face(const Mesh& mesh, FaceId f) const { return {mesh.triangle(f), mesh.data(f).piece}; }
 
-  void look_anew(const World& world) {
+  void rebuild(const World& world) {
     known_.clear();
     for (const BodyId id : world.ids()) known_.emplace(id, whole(world.body(id)));
   }

@@ -44,15 +44,15 @@ TEST(HeatFlow, is_zero_without_hot_faces) {
 }
 
 TEST(HeatFlow, does_not_depend_on_the_grouping_of_ticks) {
-  World at_once = hot_world(), one_by_one = hot_world();
+  World batched = hot_world(), one_by_one = hot_world();
   const auto pass = [](World& world, Ticks ticks) {
     world.pass(ticks);
     cool_for_ticks(world, ticks);
   };
-  pass(at_once, 60);
+  pass(batched, 60);
   for (int i = 0; i < 60; ++i) pass(one_by_one, 1);
-  expect_same_world(at_once, one_by_one);
-  EXPECT_EQ(stored(at_once), stored(one_by_one));
+  expect_same_world(batched, one_by_one);
+  EXPECT_EQ(stored(batched), stored(one_by_one));
   World three = hot_world();
   pass(three, 3);
   EXPECT_EQ(stored(three), 40) << "it flows each fourth tick";

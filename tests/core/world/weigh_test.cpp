@@ -110,24 +110,24 @@ TEST(UpdateMass, does_not_affect_an_open_search) {
 
 // Lengths that are multiplied by a power of two multiply areas and moments by powers of two.
 TEST(UpdateMass, scales_exactly_to_any_size_and_position) {
-  const auto weighed = [](const Soup& soup) {
+  const auto measured = [](const Soup& soup) {
     Body body = make_body("sphere", build(soup));
     update_mass_properties(body);
     return body.pieces[0];
   };
   const Soup soup = sphere(12, 16, 0.5);
-  const Piece one = weighed(soup);
+  const Piece one = measured(soup);
   EXPECT_NEAR(one.area, 3.0, 0.2);
   for (const int power : {-120, -20, 20, 120}) {
     SCOPED_TRACE("2^" + std::to_string(power));
-    const Piece scaled = weighed(moved(soup, Vec3(0), std::ldexp(1.0, power)));
+    const Piece scaled = measured(moved(soup, Vec3(0), std::ldexp(1.0, power)));
     EXPECT_EQ(scaled.area, std::ldexp(one.area, 2 * power));
     for (int k = 0; k < 3; ++k)
       EXPECT_EQ(scaled.moments.first[k], std::ldexp(one.moments.first[k], 3 * power));
     for (size_t i = 0; i < one.moments.second.size(); ++i)
       EXPECT_EQ(scaled.moments.second[i], std::ldexp(one.moments.second[i], 4 * power));
   }
-  const Piece far = weighed(moved(soup, {1e6, 0, -1e6}, 1));
+  const Piece far = measured(moved(soup, {1e6, 0, -1e6}, 1));
   EXPECT_NEAR(far.area, one.area, 1e-8);
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(far.moments.second[i], one.moments.second[i], 1e-8);
 }

@@ -56,8 +56,8 @@ TEST(ArenaFile, names_the_first_error) {
         test::Wrong{"[0, 0, 0]}", "[0, 0, 0], \"heading\": 400}", "/starts/player/heading"}}) {
     test::write_text(file, test::with(good, w.part, w.other));
     const auto bad = read_arena(file);
-    ASSERT_FALSE(bad) << w.said;
-    EXPECT_NE(bad.error().message.find(w.said), std::string::npos) << bad.error().message;
+    ASSERT_FALSE(bad) << w.expected;
+    EXPECT_NE(bad.error().message.find(w.expected), std::string::npos) << bad.error().message;
   }
 }
 

@@ -22,7 +22,7 @@ std::shared_ptr<Rules> quiet_waves(size_t waves, size_t cars) {
 }
 
 // Puts a vehicle out of action behind the back of the match, as no beam does it so quickly.
-void put_out(const Match& match, size_t vehicle) {
+void disable(const Match& match, size_t vehicle) {
   const_cast<Vehicle&>(match.vehicles()[vehicle]).alive = false;
 }
 
@@ -33,8 +33,8 @@ void tick_until_fight(Match& match) {
 TEST(Cars, a_wave_restarts_with_the_next_car_and_the_remaining_enemies) {
   Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
   EXPECT_EQ(match.standing().cars_left, 2u);
-  put_out(match, 1);
-  put_out(match, Match::kPlayer);
+  disable(match, 1);
+  disable(match, Match::kPlayer);
   match.tick({});
   EXPECT_EQ(match.standing().phase, Phase::kDown);
   EXPECT_EQ(match.standing().cars_left, 1u);
@@ -44,7 +44,7 @@ TEST(Cars, a_wave_restarts_with_the_next_car_and_the_remaining_enemies) {
   EXPECT_TRUE(match.vehicles()[0].alive && match.vehicles()[1].alive);
   EXPECT_EQ(match.standing().wave, 0u);
   EXPECT_EQ(match.wave_start().out, std::vector<size_t>{0});
-  put_out(match, 1);
+  disable(match, 1);
   match.tick({});
   EXPECT_EQ(match.standing().phase, Phase::kPause) << "the wave is cleared";
   tick_until_fight(match);
@@ -55,7 +55,7 @@ TEST(Cars, a_wave_restarts_with_the_next_car_and_the_remaining_enemies) {
 TEST(Cars, a_car_lost_with_the_last_enemy_still_advances_to_the_next_wave) {
   Match match({quiet_waves(2, 3), 1, Difficulty::kNormal});
   const auto all_out = [&] {
-    for (size_t v = 0; v < match.vehicles().size(); ++v) put_out(match, v);
+    for (size_t v = 0; v < match.vehicles().size(); ++v) disable(match, v);
     match.tick({});
   };
   all_out();
@@ -70,11 +70,11 @@ TEST(Cars, a_car_lost_with_the_last_enemy_still_advances_to_the_next_wave) {
 
 TEST(Cars, the_match_is_lost_with_the_last_car) {
   Match match({quiet_waves(1, 2), 1, Difficulty::kNormal});
-  put_out(match, Match::kPlayer);
+  disable(match, Match::kPlayer);
   match.tick({});
   tick_until_fight(match);
   EXPECT_EQ(match.standing().cars_left, 0u);
-  put_out(match, Match::kPlayer);
+  disable(match, Match::kPlayer);
   match.tick({});
   EXPECT_EQ(match.standing().phase, Phase::kLost);
 }
@@ -123,7 +123,7 @@ TEST(Targets, stand_still_and_the_match_ends_on_time_even_if_all_are_destroyed) 
   }
   const Vec3 later = match.world().body(match.vehicles()[1].chassis).placement.position;
   EXPECT_LT(glm::length(Vec3(later.x - place.x, 0, later.z - place.z)), 0.05);
-  put_out(match, 1);
+  disable(match, 1);
   match.tick({});
   EXPECT_EQ(match.standing().phase, Phase::kFight);
   while (!match.standing().over()) match.tick({});
@@ -137,19 +137,19 @@ std::shared_ptr<const Rules> sandbox() {
   return rules;
 }
 
-Controls asking(bool asks) {
+Controls spawn_request(bool pressed) {
   Controls controls;
-  controls.spawn = asks;
+  controls.spawn = pressed;
   return controls;
 }
 
 TEST(Sandbox, a_vehicle_spawns_once_per_key_press) {
   Match match({sandbox(), 1, Difficulty::kNormal});
-  for (int t = 0; t < 30; ++t) match.tick(asking(true));
+  for (int t = 0; t < 30; ++t) match.tick(spawn_request(true));
   EXPECT_EQ(match.vehicles().size(), 2u);
   for (int i = 0; i < 20; ++i) {
-    match.tick(asking(false));
-    match.tick(asking(true));
+    match.tick(spawn_request(false));
+    match.tick(spawn_request(true));
   }
   EXPECT_GT(match.vehicles().size(), 4u);
   EXPECT_LE(match.vehicles().size(), 9u);
@@ -163,17 +163,17 @@ TEST(Sandbox, a_vehicle_spawns_once_per_key_press) {
   }
   const uint64_t hash = state_hash(match.world());
   Match again({sandbox(), 1, Difficulty::kNormal});
-  for (int t = 0; t < 30; ++t) again.tick(asking(true));
+  for (int t = 0; t < 30; ++t) again.tick(spawn_request(true));
   for (int i = 0; i < 20; ++i) {
-    again.tick(asking(false));
-    again.tick(asking(true));
+    again.tick(spawn_request(false));
+    again.tick(spawn_request(true));
   }
   EXPECT_EQ(state_hash(again.world()), hash);
 }
 
 TEST(Sandbox, a_spawned_vehicle_can_be_cut) {
   Match match({sandbox(), 1, Difficulty::kNormal});
-  match.tick(asking(true));
+  match.tick(spawn_request(true));
   ASSERT_EQ(match.vehicles().size(), 2u);
   const std::vector<BodyId> before = match.world().ids();
   Controls controls;

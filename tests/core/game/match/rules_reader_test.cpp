@@ -27,8 +27,8 @@ TEST(RulesFile, names_the_first_error) {
         test::Wrong{"\"match\": 300", "\"match\": 0", "/times/match: must be from"}}) {
     test::write_text(file, test::with(good, w.part, w.other));
     const auto bad = read_rules(file);
-    ASSERT_FALSE(bad) << w.said;
-    EXPECT_NE(bad.error().message.find(w.said), std::string::npos) << bad.error().message;
+    ASSERT_FALSE(bad) << w.expected;
+    EXPECT_NE(bad.error().message.find(w.expected), std::string::npos) << bad.error().message;
   }
 }
 

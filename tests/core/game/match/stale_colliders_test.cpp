@@ -62,9 +62,9 @@ TEST_F(StaleCollidersTest, are_rebuilt_in_the_next_tick_after_a_piece_comes_off)
 
 TEST_F(StaleCollidersTest, are_dropped_if_bodies_are_destroyed_or_swap_faces) {
   stale_.note(changed({small_[0], large_[0]}), 0);
-  Delta gone;
-  gone.destroyed = {small_[0]};
-  stale_.note(gone, 1);
+  Delta destroyed_body;
+  destroyed_body.destroyed = {small_[0]};
+  stale_.note(destroyed_body, 1);
   stale_.note(came_off(large_[0], large_[1], true), 2);
   for (const BodyId id : {small_[0], large_[0], large_[1]}) EXPECT_EQ(renewed(id, stale_), std::nullopt);
 }

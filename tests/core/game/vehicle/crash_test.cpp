@@ -31,7 +31,7 @@ TEST(Crash, locates_the_impact_on_the_side_facing_the_push) {
 }
 
 TEST(Crash, releases_only_breakable_parts_near_the_impact) {
-  size_t let_go = 0;
+  size_t total_released = 0;
   for (uint64_t seed = 1; seed <= runs(30); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
@@ -41,24 +41,24 @@ TEST(Crash, releases_only_breakable_parts_near_the_impact) {
     const Joints before = lone.world.joints();
     const bool any = release_joints_near(lone.world, lone.vehicle, at, change);
     const Joints& after = lone.world.joints();
-    double nearest_left = 1e9, farthest_gone = 0;
-    size_t own = 0, gone = 0;
+    double nearest_left = 1e9, farthest_released = 0;
+    size_t own = 0, released = 0;
     for (size_t j = 0; j < before.all.size(); ++j) {
       const bool of_chassis = before.all[j].body == lone.vehicle.chassis;
       const bool breaks = of_chassis && lone.vehicle.model->breaks[own++];
-      const bool is_gone = after.all[j].sides[0].faces.empty();
-      gone += is_gone;
-      EXPECT_TRUE(breaks || !is_gone) << "joint " << j;
+      const bool is_released = after.all[j].sides[0].faces.empty();
+      released += is_released;
+      EXPECT_TRUE(breaks || !is_released) << "joint " << j;
       const double distance = glm::distance(before.all[j].anchor, at);
-      if (is_gone) farthest_gone = std::max(farthest_gone, distance);
-      if (breaks && !is_gone) nearest_left = std::min(nearest_left, distance);
+      if (is_released) farthest_released = std::max(farthest_released, distance);
+      if (breaks && !is_released) nearest_left = std::min(nearest_left, distance);
     }
-    EXPECT_EQ(any, gone > 0);
+    EXPECT_EQ(any, released > 0);
     EXPECT_EQ(joints_requested(lone.world), any);
-    EXPECT_LE(farthest_gone, nearest_left);
-    let_go += gone;
+    EXPECT_LE(farthest_released, nearest_left);
+    total_released += released;
   }
-  EXPECT_GT(let_go, 10u);
+  EXPECT_GT(total_released, 10u);
 }
 
 TEST(Crash, never_breaks_off_vital_parts_axles_or_the_laser) {

@@ -25,11 +25,11 @@ class FaceWatchTest : public testing::Test {
   }
   // Removes what lies beyond x.
   void remove_beyond(double x) {
-    std::vector<FaceId> gone;
+    std::vector<FaceId> removed;
     for (uint32_t f = 0; f < body_.mesh.face_slots(); ++f) {
-      if (body_.mesh.is_live(FaceId(f)) && body_.mesh.triangle(FaceId(f))[0].x > x) gone.emplace_back(f);
+      if (body_.mesh.is_live(FaceId(f)) && body_.mesh.triangle(FaceId(f))[0].x > x) removed.emplace_back(f);
     }
-    BodyEdit(body_).remove(gone);
+    BodyEdit(body_).remove(removed);
   }
 
   Body body_;

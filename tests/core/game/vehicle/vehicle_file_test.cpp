@@ -34,9 +34,9 @@ TEST(VehicleFile, names_the_first_error) {
     test::write_text(file, std::string(w.part) == "}]})" ? good.substr(0, good.size() - 1)
                                                          : test::with(good, w.part, w.other));
     const auto bad = read_vehicle(file);
-    ASSERT_FALSE(bad) << w.said;
+    ASSERT_FALSE(bad) << w.expected;
     EXPECT_EQ(bad.error().code, ErrorCode::kBadInput);
-    EXPECT_NE(bad.error().message.find(w.said), std::string::npos) << bad.error().message;
+    EXPECT_NE(bad.error().message.find(w.expected), std::string::npos) << bad.error().message;
     EXPECT_EQ(bad.error().message.find('\n'), std::string::npos);
   }
 }

@@ -105,20 +105,20 @@ TEST(GltfSparse, damage_is_rejected) {
     gltf.set_mesh({{"POSITION", gltf.add(accessor)}});
     return gltf.refusal();
   };
-  const auto says = [&](const char* pointer, const json& value, const char* words) {
+  const auto expect_refusal = [&](const char* pointer, const json& value, const char* words) {
     const std::string message = refusal(pointer, value);
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
-  says("/count", 2, "has the number 2, but there are 2 elements");
-  says("/sparse", 7, "must be an object");
-  says("/sparse/count", 2, "cannot hold");
-  says("/sparse/count", uint64_t{1} << 52, "cannot hold");
-  says("/sparse/indices", 7, "componentType");
-  says("/sparse/indices/componentType", 5126, "componentType");
-  says("/sparse/indices/bufferView", 9, "which has 3");
-  says("/sparse/values/byteOffset", 4, "cannot hold");
-  says("/sparse/values/byteOffset", uint64_t{1} << 52, "cannot hold");
-  says("/sparse/values", json::object(), "/values/bufferView: is missing");
+  expect_refusal("/count", 2, "has the number 2, but there are 2 elements");
+  expect_refusal("/sparse", 7, "must be an object");
+  expect_refusal("/sparse/count", 2, "cannot hold");
+  expect_refusal("/sparse/count", uint64_t{1} << 52, "cannot hold");
+  expect_refusal("/sparse/indices", 7, "componentType");
+  expect_refusal("/sparse/indices/componentType", 5126, "componentType");
+  expect_refusal("/sparse/indices/bufferView", 9, "which has 3");
+  expect_refusal("/sparse/values/byteOffset", 4, "cannot hold");
+  expect_refusal("/sparse/values/byteOffset", uint64_t{1} << 52, "cannot hold");
+  expect_refusal("/sparse/values", json::object(), "/values/bufferView: is missing");
   GltfBuilder zeros;
   zeros.set_mesh({{"POSITION", zeros.add({{"componentType", 5126},
                                           {"count", uint64_t{1} << 40},
@@ -234,22 +234,22 @@ TEST(GltfInstances, damage_is_rejected) {
     damage(gltf, attributes);
     return gltf.refusal();
   };
-  const auto says = [&](const char* words, const auto& damage) {
+  const auto expect_refusal = [&](const char* words, const auto& damage) {
     const std::string message = refusal(damage);
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
-  says("has no TRANSLATION", [](GltfBuilder&, json& attributes) { attributes = json::object(); });
-  says("is missing", [](GltfBuilder&, json& attributes) { attributes = 7; });
-  says("which has 2", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 9; });
-  says("must be VEC4", [](GltfBuilder&, json& attributes) { attributes["ROTATION"] = 1; });
-  says("as many values", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 0; });
-  says("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
+  expect_refusal("has no TRANSLATION", [](GltfBuilder&, json& attributes) { attributes = json::object(); });
+  expect_refusal("is missing", [](GltfBuilder&, json& attributes) { attributes = 7; });
+  expect_refusal("which has 2", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 9; });
+  expect_refusal("must be VEC4", [](GltfBuilder&, json& attributes) { attributes["ROTATION"] = 1; });
+  expect_refusal("as many values", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 0; });
+  expect_refusal("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
     attributes["ROTATION"] = gltf.add("VEC4", 5126, 1, std::vector<float>{0, 0, 0, 0});
   });
-  says("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
+  expect_refusal("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
     attributes["SCALE"] = gltf.add("VEC3", 5126, 1, std::vector<float>{1, INFINITY, 1});
   });
-  says("without a buffer view", [](GltfBuilder& gltf, json& attributes) {
+  expect_refusal("without a buffer view", [](GltfBuilder& gltf, json& attributes) {
     attributes["SCALE"] =
         gltf.add({{"componentType", 5126}, {"count", 1}, {"type", "VEC3"}, {"sparse", json::object()}});
   });

@@ -20,7 +20,7 @@ Sheets sheets_of(const Mesh& mesh) {
 }
 
 // The corners from the lowest one on, which may be another one in a copy.
-Triangle from_least(Triangle t) {
+Triangle starting_at_smallest(Triangle t) {
   const auto least =
       std::min_element(t.begin(), t.end(), [](const Vec3& a, const Vec3& b) { return place(a) < place(b); });
   std::rotate(t.begin(), least, t.end());
@@ -36,7 +36,7 @@ void expect_same_after_a_copy_there_and_back(const Soup& soup) {
   for (uint32_t t = 0; t < back.triangles.size(); ++t) {
     Triangle corners;
     for (size_t i = 0; i < 3; ++i) corners[i] = back.positions[back.triangles[t][i]];
-    EXPECT_EQ(from_least(corners), from_least(mesh.triangle(back.origins[t])));
+    EXPECT_EQ(starting_at_smallest(corners), starting_at_smallest(mesh.triangle(back.origins[t])));
   }
   const BuiltMesh again = std::move(*build_remeshed(back, mesh, nullptr));
   EXPECT_EQ(again.report.repairs.degenerate_faces_dropped, 0u);

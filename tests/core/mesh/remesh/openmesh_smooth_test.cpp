@@ -102,10 +102,10 @@ TEST(Smooth, vertices_of_locked_faces_do_not_move) {
 TEST(Smooth, can_be_cancelled) {
   const Mesh mesh = build(sphere(12, 16, 1)).mesh;
   for (int most = 0; most < 10; ++most) {
-    int asked = 0;
-    const Progress stop{[&](double) { return asked++ < most; }};
+    int reports = 0;
+    const Progress stop{[&](double) { return reports++ < most; }};
     EXPECT_FALSE(smooth(mesh, 100, {}, &stop).ok());
-    EXPECT_EQ(asked, most + 1);
+    EXPECT_EQ(reports, most + 1);
   }
 }
 

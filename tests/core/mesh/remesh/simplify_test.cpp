@@ -233,10 +233,10 @@ TEST_P(Simplify, can_be_cancelled) {
   ASSERT_TRUE(GetParam()(mesh, {.faces = 100}, {}, &counted, {}).ok());
   EXPECT_GT(reports, 4);
   for (int most = 0; most < reports; ++most) {
-    int asked = 0;
-    const Progress stop{[&](double) { return asked++ < most; }};
+    int calls = 0;
+    const Progress stop{[&](double) { return calls++ < most; }};
     EXPECT_FALSE(GetParam()(mesh, {.faces = 100}, {}, &stop, {}).ok());
-    EXPECT_EQ(asked, most + 1);
+    EXPECT_EQ(calls, most + 1);
   }
 }
 

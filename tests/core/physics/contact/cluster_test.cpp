@@ -87,12 +87,12 @@ TEST(Clusters, any_of_stops_at_the_first_match) {
   Random random(3);
   const Clustering clustering = make_clusters(random_segments(100, random));
   const auto near = [](const Cluster&) { return true; };
-  uint32_t asked = 0;
+  uint32_t visited = 0;
   EXPECT_TRUE(clustering.clusters.any_of(near, [&](uint32_t i) {
-    ++asked;
+    ++visited;
     return i == 20;
   }));
-  EXPECT_EQ(asked, 21u);
+  EXPECT_EQ(visited, 21u);
   EXPECT_FALSE(clustering.clusters.any_of(near, [](uint32_t) { return false; }));
 }
 

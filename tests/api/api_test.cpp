@@ -225,22 +225,22 @@ TEST(Api, exceptions_of_the_progress_callback_propagate) {
 TEST(Api, a_busy_world_reports_it) {
   kerf::World world;
   world.add(sheet(20));
-  std::string said;
+  std::string message;
   world.cut(through_the_middle(), {},
             {[&](double) {
-               if (said.empty()) {
+               if (message.empty()) {
                  std::thread([&] {
                    try {
                      world.hash();
                    } catch (const kerf::Busy& fault) {
-                     said = fault.what();
+                     message = fault.what();
                    }
                  }).join();
                }
                return true;
              },
              0});
-  EXPECT_NE(said.find("in use"), std::string::npos) << said;
+  EXPECT_NE(message.find("in use"), std::string::npos) << message;
 }
 
 // What the functions that read a world say of it, as one text.
@@ -284,16 +284,16 @@ TEST(Api, a_world_being_read_rejects_changes) {
   kerf::World world;
   world.add(sheet(60));
   const std::string hash = world.hash();
-  int asked = 0;
+  int reports = 0;
   (void)world.pieces({[&](double) {
-                        ++asked;
+                        ++reports;
                         EXPECT_EQ(world.hash(), hash);
                         EXPECT_THROW(world.add(sheet(1)), kerf::Busy);
                         EXPECT_THROW(world.cut(through_the_middle()), kerf::Busy);
                         return true;
                       },
                       0});
-  EXPECT_GT(asked, 0);
+  EXPECT_GT(reports, 0);
   world.cut(through_the_middle());
   EXPECT_NE(world.hash(), hash);
 }
@@ -336,7 +336,7 @@ TEST(Api, stroke_defaults_derive_from_the_loaded_meshes) {
 }
 
 TEST(Api, invalid_arguments_report_an_error) {
-  const auto says = [](auto call, const char* word) {
+  const auto expect_error = [](auto call, const char* word) {
     try {
       call();
       ADD_FAILURE() << "taken: " << word;
@@ -347,13 +347,13 @@ TEST(Api, invalid_arguments_report_an_error) {
   const std::vector<double> square{0, 0, 0, 1, 0, 0, 1, 1, 0};
   const std::vector<uint32_t> face{0, 1, 2};
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  says([&] { kerf::Mesh({}, face); }, "vertices");
-  says([&] { kerf::Mesh(square, {}); }, "faces");
-  says([&] { kerf::Mesh(square, std::vector<uint32_t>{0, 1, 3}); }, "references vertex 3");
-  says([&] { kerf::Mesh(std::vector<double>{0, nan, 0}, face); }, "not finite");
-  says([&] { kerf::Mesh::read("no-such.obj"); }, "no-such.obj");
-  says([&] { kerf::Mesh(square, face).write("a.xyz"); }, ".obj");
-  says([&] { kerf::World("no-such.kerf"); }, "no-such.kerf");
+  expect_error([&] { kerf::Mesh({}, face); }, "vertices");
+  expect_error([&] { kerf::Mesh(square, {}); }, "faces");
+  expect_error([&] { kerf::Mesh(square, std::vector<uint32_t>{0, 1, 3}); }, "references vertex 3");
+  expect_error([&] { kerf::Mesh(std::vector<double>{0, nan, 0}, face); }, "not finite");
+  expect_error([&] { kerf::Mesh::read("no-such.obj"); }, "no-such.obj");
+  expect_error([&] { kerf::Mesh(square, face).write("a.xyz"); }, ".obj");
+  expect_error([&] { kerf::World("no-such.kerf"); }, "no-such.kerf");
   kerf::World world;
   world.add(kerf::Mesh(square, face));
   const auto cut = [&](auto change) {
@@ -364,20 +364,20 @@ TEST(Api, invalid_arguments_report_an_error) {
       world.cut(stroke, settings);
     };
   };
-  says(cut([](auto& s, auto&) { s.keys.clear(); }), "no key");
-  says(cut([](auto& s, auto&) { s.keys[1].time = -1; }), "time");
-  says(cut([](auto& s, auto&) { s.keys[1].direction[1] = 3; }), "opposite");
-  says(cut([&](auto& s, auto&) { s.keys[0].origin[0] = nan; }), "finite");
-  says(cut([](auto& s, auto&) { s.radius = -1; }), "radius");
-  says(cut([](auto& s, auto&) { s.range = {2, 1}; }), "range");
-  says(cut([](auto&, auto& c) { c.target_edge = 0; }), "target_edge");
-  says(cut([](auto&, auto& c) { c.target_edge = 1, c.max_level = 1; }), "set only one");
-  says(cut([](auto&, auto& c) { c.max_level = 99; }), "max_level: must be from 0 to 24");
-  says(cut([](auto&, auto& c) { c.max_level = std::numeric_limits<int>::max(); }), "max_level");
-  says(cut([](auto&, auto& c) { c.material = "cheese"; }), "mild-steel");
-  says([&] { (void)world.nearest_hits(square, std::vector<double>(9, 0)); }, "directions");
-  says([&] { world.cut(through_the_middle(), {}, {{}, 5000}); }, "1024");
-  says([&] { world.add(kerf::Mesh(square, face), "\xff"); }, "UTF-8");
+  expect_error(cut([](auto& s, auto&) { s.keys.clear(); }), "no key");
+  expect_error(cut([](auto& s, auto&) { s.keys[1].time = -1; }), "time");
+  expect_error(cut([](auto& s, auto&) { s.keys[1].direction[1] = 3; }), "opposite");
+  expect_error(cut([&](auto& s, auto&) { s.keys[0].origin[0] = nan; }), "finite");
+  expect_error(cut([](auto& s, auto&) { s.radius = -1; }), "radius");
+  expect_error(cut([](auto& s, auto&) { s.range = {2, 1}; }), "range");
+  expect_error(cut([](auto&, auto& c) { c.target_edge = 0; }), "target_edge");
+  expect_error(cut([](auto&, auto& c) { c.target_edge = 1, c.max_level = 1; }), "set only one");
+  expect_error(cut([](auto&, auto& c) { c.max_level = 99; }), "max_level: must be from 0 to 24");
+  expect_error(cut([](auto&, auto& c) { c.max_level = std::numeric_limits<int>::max(); }), "max_level");
+  expect_error(cut([](auto&, auto& c) { c.material = "cheese"; }), "mild-steel");
+  expect_error([&] { (void)world.nearest_hits(square, std::vector<double>(9, 0)); }, "directions");
+  expect_error([&] { world.cut(through_the_middle(), {}, {{}, 5000}); }, "1024");
+  expect_error([&] { world.add(kerf::Mesh(square, face), "\xff"); }, "UTF-8");
   EXPECT_EQ(kerf_world_hash(nullptr, nullptr), KERF_INVALID_ARGUMENT);
   EXPECT_EQ(kerf_mesh_vertex_count(nullptr), 0u);
 }

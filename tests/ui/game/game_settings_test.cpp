@@ -51,15 +51,15 @@ TEST(GameSettings, do_not_store_a_command_line_difficulty) {
   kept.difficulty = Difficulty::kEasy;
   now.difficulty = Difficulty::kHard;
   now.volume = 0.25;
-  std::optional<Difficulty> asked = Difficulty::kHard;
-  kept = settings_to_keep(now, kept, asked);
+  std::optional<Difficulty> requested = Difficulty::kHard;
+  kept = settings_to_keep(now, kept, requested);
   EXPECT_EQ(kept.difficulty, Difficulty::kEasy);
   EXPECT_EQ(kept.volume, 0.25);
   now.difficulty = Difficulty::kNormal;
-  kept = settings_to_keep(now, kept, asked);
+  kept = settings_to_keep(now, kept, requested);
   EXPECT_EQ(kept, now);
   now.difficulty = Difficulty::kHard;
-  EXPECT_EQ(settings_to_keep(now, kept, asked), now);
+  EXPECT_EQ(settings_to_keep(now, kept, requested), now);
 }
 
 }  // namespace

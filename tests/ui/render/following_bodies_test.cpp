@@ -104,7 +104,7 @@ Seen see(Renderer& renderer, const World& world) {
 }
 
 // The sheet is flat, so that a renderer that sees it cut for the first time shades it alike.
-void expect_seen_as_anew(test::Stage& stage) {
+void expect_matches_rebuild(test::Stage& stage) {
   auto fresh = Renderer::create();
   ASSERT_TRUE(fresh.ok());
   fresh->show(stage.world(), {});
@@ -124,22 +124,22 @@ TEST(BodyUpload, sends_only_the_smaller_side_on_detach_reattach_and_delete) {
     const uint32_t label = (pieces[0].faces > pieces[1].faces) == larger ? 0 : 1;
     const size_t most = std::min(pieces[0].faces, pieces[1].faces) * kMaxBytesOfFace;
     ASSERT_LT(8 * most, pieces[1 - label].faces * kMaxBytesOfFace + pieces[label].faces * kMaxBytesOfFace);
-    expect_seen_as_anew(stage);
+    expect_matches_rebuild(stage);
     const std::vector<Command> edits{MovePiece{{sheet, label}, {{0, -0.3, 0}, {1, 0, 0, 0}}}, Undo{}, Redo{}};
     for (const Command& edit : edits) {
       const size_t sent = stage.renderer().uploaded_bytes();
       const ShadowWork before = stage.renderer().shadow_work();
       stage.apply(edit);
       EXPECT_LE(stage.renderer().uploaded_bytes() - sent, most);
-      expect_seen_as_anew(stage);
+      expect_matches_rebuild(stage);
       EXPECT_LE(stage.renderer().shadow_work().casters, before.casters + 1);
     }
     const size_t sent = stage.renderer().uploaded_bytes();
     stage.apply(DeletePiece{{stage.world().ids().back(), label}});
     EXPECT_EQ(stage.renderer().uploaded_bytes(), sent);
-    expect_seen_as_anew(stage);
+    expect_matches_rebuild(stage);
     stage.apply(Undo{});
-    expect_seen_as_anew(stage);
+    expect_matches_rebuild(stage);
   }
 }
 

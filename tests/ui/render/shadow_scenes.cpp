@@ -20,9 +20,9 @@ Vec3 middle_of(const Soup& soup, const Soup::Triangle& t) {
   return (soup.positions[t[0]] + soup.positions[t[1]] + soup.positions[t[2]]) / 3.0;
 }
 
-template <typename Gone>
-Soup without(Soup soup, const Gone& gone) {
-  std::erase_if(soup.triangles, [&](const Soup::Triangle& t) { return gone(middle_of(soup, t)); });
+template <typename Predicate>
+Soup without(Soup soup, const Predicate& is_removed) {
+  std::erase_if(soup.triangles, [&](const Soup::Triangle& t) { return is_removed(middle_of(soup, t)); });
   return made(std::move(soup));
 }
 

@@ -78,16 +78,16 @@ TEST(EventScript, prints_the_screen_response_and_the_title) {
                                 {"answer": "title"}
                                 {"move": [0, 0]})");
   events.set_title("a \"title\"");
-  std::vector<std::string> asked;
+  std::vector<std::string> requests;
   testing::internal::CaptureStdout();
   const auto frame = events.begin_frame(false, [&](const std::string& what) -> std::optional<std::string> {
-    asked.push_back(what);
+    requests.push_back(what);
     if (what == "report") return "{}";
     return std::nullopt;
   });
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "{}\n\"a \\\"title\\\"\"\n");
   EXPECT_TRUE(*frame);
-  EXPECT_EQ(asked, (std::vector<std::string>{"report", "title"}));
+  EXPECT_EQ(requests, (std::vector<std::string>{"report", "title"}));
 }
 
 TEST(EventScript, fails_at_an_invalid_line_and_names_it) {

@@ -10,10 +10,10 @@
 namespace kerf {
 namespace {
 
-// When shots are fired if somebody asks at these times.
-std::vector<double> shots(FirePace& pace, const std::vector<double>& asked) {
+// The times at which shots are fired, if polled at `times`.
+std::vector<double> shots(FirePace& pace, const std::vector<double>& times) {
   std::vector<double> fired;
-  for (const double now : asked) {
+  for (const double now : times) {
     if (!pace.is_due(now)) continue;
     pace.take(now);
     fired.push_back(now);

@@ -76,8 +76,8 @@ TEST(PreparePieces, are_unchanged_when_cancelled) {
   ASSERT_TRUE(prepare_pieces(whole, pieces, preparation, &counted).ok());
   for (int most = 0; most < reports; most += reports / 10 + 1) {
     Document document(world);
-    int asked = 0;
-    const Progress stop{[&](double) { return asked++ < most; }};
+    int calls = 0;
+    const Progress stop{[&](double) { return calls++ < most; }};
     const Outcome outcome = prepare_pieces(document, pieces, preparation, &stop);
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error().message, "Stopped; nothing was changed.");

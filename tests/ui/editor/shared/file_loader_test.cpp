@@ -137,38 +137,38 @@ class LoadingRaggedMesh : public testing::Test {
   }
   // Until it was told so many times how far it is.
   Result<LoadedFiles> load_until(size_t stop) {
-    told_.clear();
+    reports_.clear();
     const Progress progress{[&](double fraction) {
-      told_.push_back(fraction);
-      return told_.size() != stop;
+      reports_.push_back(fraction);
+      return reports_.size() != stop;
     }};
     return load_files({{file_}, {}, 0}, &progress);
   }
 
   TemporaryFolder folder_;
   const std::filesystem::path file_ = folder_ / "ragged.ply";
-  std::vector<double> told_;
+  std::vector<double> reports_;
 };
 
 TEST_F(LoadingRaggedMesh, reports_progress_in_small_steps) {
   ASSERT_TRUE(load_until(0).ok());
-  EXPECT_LT(told_.size(), 1000u);
-  EXPECT_GE(told_.front(), 0);
-  EXPECT_TRUE(std::is_sorted(told_.begin(), told_.end()));
-  EXPECT_LE(told_.back(), 1);
-  told_.insert(told_.begin(), 0);
-  told_.push_back(1);
-  for (size_t i = 1; i < told_.size(); ++i) EXPECT_LT(told_[i] - told_[i - 1], 0.15) << told_[i];
+  EXPECT_LT(reports_.size(), 1000u);
+  EXPECT_GE(reports_.front(), 0);
+  EXPECT_TRUE(std::is_sorted(reports_.begin(), reports_.end()));
+  EXPECT_LE(reports_.back(), 1);
+  reports_.insert(reports_.begin(), 0);
+  reports_.push_back(1);
+  for (size_t i = 1; i < reports_.size(); ++i) EXPECT_LT(reports_[i] - reports_[i - 1], 0.15) << reports_[i];
 }
 
 TEST_F(LoadingRaggedMesh, can_be_cancelled_at_any_report) {
   ASSERT_TRUE(load_until(0).ok());
-  const size_t reports = told_.size();
+  const size_t reports = reports_.size();
   for (size_t stop = 1; stop <= reports; ++stop) {
     const Result<LoadedFiles> loaded = load_until(stop);
     ASSERT_FALSE(loaded.ok()) << stop;
     EXPECT_EQ(loaded.error().message, "cancelled");
-    EXPECT_EQ(told_.size(), stop);
+    EXPECT_EQ(reports_.size(), stop);
   }
 }
 

@@ -7,10 +7,10 @@
 namespace kerf::test {
 namespace {
 
-// A change that goes on until it is told to stop, or lets itself be told.
+// A change that runs until it is cancelled or allowed to end.
 struct Waiting {
   std::atomic<bool> may_end = false;
-  bool told = false, stopped = false;
+  bool reported = false, stopped = false;
 
   LongChange change() {
     LongChange change;
@@ -27,7 +27,7 @@ struct Waiting {
       return Outcome();
     };
     change.then = [this](const Outcome& outcome) {
-      told = true;
+      reported = true;
       stopped = !outcome.ok();
     };
     return change;
@@ -44,11 +44,11 @@ TEST(ChangeThread, runs_in_the_background_and_finishes_on_request) {
   EXPECT_FALSE(thread.is_over(0.01));
   while (!thread.can_stop()) std::this_thread::yield();
   EXPECT_EQ(thread.fraction(), 0.5);
-  EXPECT_FALSE(waiting.told);
+  EXPECT_FALSE(waiting.reported);
   waiting.may_end = true;
   thread.finish();
   EXPECT_FALSE(thread.busy());
-  EXPECT_TRUE(waiting.told);
+  EXPECT_TRUE(waiting.reported);
   EXPECT_FALSE(waiting.stopped);
 }
 
@@ -69,7 +69,7 @@ TEST(ChangeThread, does_not_outlive_its_owner) {
     ChangeThread thread;
     thread.start(document, waiting.change());
   }
-  EXPECT_FALSE(waiting.told);
+  EXPECT_FALSE(waiting.reported);
 }
 
 }  // namespace

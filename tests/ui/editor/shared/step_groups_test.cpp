@@ -19,7 +19,7 @@ class StepGroupsTest : public testing::Test {
   void hide(bool hidden, size_t first, size_t end) {
     for (size_t i = first; i < end; ++i) ASSERT_TRUE(document.apply(HidePiece{pieces[i], hidden}).ok());
   }
-  void hide_all_at_once(bool hidden) {
+  void hide_all(bool hidden) {
     const size_t from = document.history().position();
     hide(hidden, 0, 3);
     groups.add(from, document, hidden ? "Hide" : "Show");
@@ -34,7 +34,7 @@ class StepGroupsTest : public testing::Test {
 };
 
 TEST_F(StepGroupsTest, a_single_row_group_hides_inner_positions_until_a_step_is_dropped) {
-  hide_all_at_once(true);
+  hide_all(true);
   hide(false, 0, 2);
   groups.add(3, document, "Play", true);
   std::vector<bool> rows;
@@ -47,8 +47,8 @@ TEST_F(StepGroupsTest, a_single_row_group_hides_inner_positions_until_a_step_is_
 }
 
 TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_by_one) {
-  hide_all_at_once(true);
-  hide_all_at_once(false);
+  hide_all(true);
+  hide_all(false);
   for (const size_t from : {3u, 0u}) {
     const StepGroups::Group* group = at(true);
     ASSERT_NE(group, nullptr);
@@ -66,7 +66,7 @@ TEST_F(StepGroupsTest, a_single_step_is_not_a_group_and_a_later_step_is_undone_a
   groups.add(0, document, "Hide");
   EXPECT_EQ(at(true), nullptr);
   hide(false, 0, 1);
-  hide_all_at_once(true);
+  hide_all(true);
   hide(false, 0, 1);
   EXPECT_EQ(at(true), nullptr);
   ASSERT_TRUE(document.apply(Undo{}).ok());
@@ -74,7 +74,7 @@ TEST_F(StepGroupsTest, a_single_step_is_not_a_group_and_a_later_step_is_undone_a
 }
 
 TEST_F(StepGroupsTest, a_group_ends_when_an_undone_step_is_replaced) {
-  hide_all_at_once(true);
+  hide_all(true);
   for (const bool seen_between : {true, false}) {
     ASSERT_TRUE(document.apply(Undo{}).ok());
     if (seen_between) groups.follow(document);
@@ -88,7 +88,7 @@ TEST_F(StepGroupsTest, a_group_ends_when_an_undone_step_is_replaced) {
 }
 
 TEST_F(StepGroupsTest, a_group_survives_undo_and_redo_of_its_last_step) {
-  hide_all_at_once(true);
+  hide_all(true);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   groups.follow(document);
   ASSERT_TRUE(document.apply(Redo{}).ok());

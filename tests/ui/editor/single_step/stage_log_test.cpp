@@ -164,12 +164,12 @@ TEST(StageLog, keeps_messages_of_later_stages_after_stepping_back) {
     ASSERT_TRUE(stage.ok());
     note(*stage);
   }
-  const std::vector<std::string> told = log.told();
+  const std::vector<std::string> labels = log.told();
   log.restart();
   ASSERT_TRUE(single.go_back_to(11, note).ok());
   EXPECT_EQ(log.done(), 11u);
-  EXPECT_EQ(log.told(), told);
-  EXPECT_EQ(stage_label(*log.last(), FileUnit::kMetre), told[10]);
+  EXPECT_EQ(log.told(), labels);
+  EXPECT_EQ(stage_label(*log.last(), FileUnit::kMetre), labels[10]);
   log.restart();
   StageRecord other;
   other.kind = StageKind::kTime;

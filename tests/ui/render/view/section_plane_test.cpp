@@ -22,7 +22,7 @@ class Some {
 
 TEST(SectionPlane, a_ray_is_kept_below_the_plane) {
   Some some(1);
-  size_t kept = 0, gone = 0;
+  size_t kept = 0, removed = 0;
   for (int i = 0; i < 2000; ++i) {
     const SectionPlane plane = SectionPlane::facing(some.vector(), some.vector());
     const Pose ray{some.vector(), glm::normalize(some.vector())};
@@ -32,18 +32,18 @@ TEST(SectionPlane, a_ray_is_kept_below_the_plane) {
       if (std::abs(height) < 1e-9) continue;
       const bool in_range = range.low <= length && length <= range.high;
       EXPECT_EQ(in_range, height < 0) << "trial " << i << ", length " << length;
-      (in_range ? kept : gone) += 1;
+      (in_range ? kept : removed) += 1;
     }
   }
   EXPECT_GT(kept, 2000u);
-  EXPECT_GT(gone, 2000u);
+  EXPECT_GT(removed, 2000u);
 }
 
 TEST(SectionPlane, a_ray_along_the_plane_is_kept_whole_or_not_at_all) {
   const SectionPlane plane{{0, 1, 0}, {0, 1, 0}};
   EXPECT_GT(plane.kept_along({{0, 0.5, 0}, {1, 0, 0}}).high, 1e300);
-  const Interval gone = plane.kept_along({{0, 1.5, 0}, {1, 0, 0}});
-  EXPECT_LT(gone.high, gone.low);
+  const Interval removed = plane.kept_along({{0, 1.5, 0}, {1, 0, 0}});
+  EXPECT_LT(removed.high, removed.low);
 }
 
 TEST(SectionPlane, text_round_trips) {

@@ -409,7 +409,7 @@ bool uses_a(const kerf::Mesh& mesh, size_t face) {
   return side > 0;
 }
 
-TEST(Face, attributes_and_materials_survive_cuts) {
+TEST(Api, attributes_and_materials_survive_cuts) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("kerf_attributes_" + std::to_string(getpid()));
   std::filesystem::create_directory(folder);

@@ -205,7 +205,7 @@ class Loaded(unittest.TestCase):
 
 
 def load_tests(loader, tests, _):
-    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Programs, Arena, Loaded))
+    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Generators, Arena, Loaded))
     for name in VEHICLES:
         suite.addTests(loader.loadTestsFromTestCase(type(name, (Vehicle,), {"name": name})))
     return suite

@@ -19,7 +19,7 @@ struct Progress {
 };
 
 // Returns the progress of a part of the work, mapped to the fractions `low` to `high` of the whole. `whole`
-// must outlive the result; it may be null, then nothing is reported. Precondition: 0 <= low <= high.
+// must outlive the result; if it is null, nothing is reported. Precondition: 0 <= low <= high.
 inline Progress share_of(const Progress* whole, double low, double high) {
   KERF_ASSERT(0 <= low && low <= high);
   return {
@@ -54,7 +54,7 @@ class Pace {
   size_t reported_ = 0;  // items at the last report
 };
 
-// Divides a progress among consecutive stages of a computation in proportion to their durations.
+// Divides progress among consecutive stages of a computation in proportion to their durations.
 class ProgressShares {
  public:
   // `progress` may be null. It must outlive the results of next().
@@ -99,7 +99,7 @@ void with_threads(size_t threads, const std::function<void()>& work);
 // Returns the maximum number of concurrent threads.
 size_t thread_count();
 
-// Limits the number of threads in its lifetime; the lowest limit applies. Precondition: threads > 0.
+// Limits the number of threads during its lifetime; the lowest limit applies. Precondition: threads > 0.
 class ThreadLimit {
  public:
   explicit ThreadLimit(size_t threads);

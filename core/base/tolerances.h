@@ -24,9 +24,9 @@ inline constexpr double kMinVolume = 1e-10;
 
 // Looks -----------------------------------------------------------------------------------------------------
 
-// A point whose barycentric coordinate in a loaded face is below this counts as on the side opposite to that
-// corner. UVs and normals then err by at most this fraction of their range, a thousandth of the error that
-// tests accept.
+// A point whose barycentric coordinate for a corner of a loaded face is below this counts as on the side
+// opposite to that corner. UVs and normals then err by at most this fraction of their range, a thousandth of
+// the error that tests accept.
 inline constexpr double kOnLoadedSide = 1e-9;
 // Distance of a point on a side from it, relative to the coordinates: splits at midpoints round each of them
 // by 2^-53, at most 24 times on the way to the deepest level.

@@ -77,13 +77,13 @@ class SweptDistance {
   double operator()(const Vec3& p) const;
 
  private:
-  // Parts first .. end - 1. Their axes lie within `aside` metres of the line from `origin` along
-  // `direction` at the origin, and within `apart` metres more per metre from there.
+  // Parts first .. end - 1. `origin` and `direction` are those of a pose in the middle. The origins of the
+  // other poses differ from it by at most `aside` metres, and their unit directions by at most `apart`.
   struct Node {
     size_t first, end;
     Vec3 origin, direction;
     double aside = 0, apart = 0;
-    uint32_t halves = 0;  // index of the first half, before the second one; 0: a leaf
+    uint32_t halves = 0;  // index of the first child, followed by the second; 0: a leaf
   };
   void bound(uint32_t node, std::span<const BeamMove> moves);
   double at_least(const Node& node, const Vec3& p) const;

@@ -48,8 +48,8 @@ struct EndStroke {
   static constexpr const char* kName = "end-stroke";
 };
 
-// Stops the last stroke at a place of its path, before the end of its moves, e.g. because it takes long to
-// cut. Belongs to the history step of the stroke.
+// Stops the last stroke at a point of its path, before the end of its moves, e.g. because cutting takes long.
+// Belongs to the history step of the stroke.
 struct StopStroke {
   // The number of moves to cut; the first one only switches the beam on. 12.5 means twelve moves and the
   // first half of the next, rounded to the parts of its subdivision.

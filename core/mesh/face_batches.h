@@ -21,8 +21,8 @@ class TriangleBatch {
   uint32_t count() const { return count_; }
   uint32_t room() const { return kFaces - count_; }
 
-  // Read the corners of all faces in the batch, or also their positions, in the order of Mesh::corners().
-  // Precondition: all faces are live.
+  // Read the corner vertices of all faces in the batch; read() also reads their positions. Both in the order
+  // of Mesh::corners(). Precondition: all faces are live.
   void read_corners(const Mesh& mesh);
   void read(const Mesh& mesh);
 

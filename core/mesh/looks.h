@@ -98,8 +98,8 @@ class Looks {
     return value<glm::dvec4>(attributes_[attribute].channel, point);
   }
 
-  // Return a chart number per loaded face. Two faces are in one chart if a chain of faces connects them in
-  // which each two consecutive ones share a corner and its value, i.e. no seam separates them.
+  // Return a chart number per loaded face. Two faces are in one chart if they are connected by a chain of
+  // faces in which any two consecutive ones share a corner and its value, i.e. no seam separates them.
   std::vector<uint32_t> uv_charts(size_t set) const { return charts(uv_sets_[set]); }
   std::vector<uint32_t> normal_charts() const { return charts(normals_); }
   std::vector<uint32_t> tangent_charts() const { return charts(tangents_); }

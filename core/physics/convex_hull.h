@@ -16,9 +16,10 @@ struct ConvexHull {
 };
 
 // Returns the convex hull of finite points; empty if they are coplanar up to its resolution, 1e-4 of their
-// extent along each axis. Its vertices are some of the points. If the hull has more vertices than
-// `max_vertices`, it is that of a part of them: each vertex is the one farthest outside the hull of those
-// before it. Precondition: max_vertices >= 4. O(n log n), and O(max_vertices^2) per vertex of the full hull.
+// extent along each axis. Its vertices are some of the points. If the hull would have more than
+// `max_vertices` vertices, returns the hull of a subset of them, selected greedily: each new vertex is the
+// one farthest outside the hull of the previous ones. Precondition: max_vertices >= 4. O(n log n), and
+// O(max_vertices^2) per vertex of the full hull.
 ConvexHull convex_hull(std::span<const Vec3> points, size_t max_vertices);
 
 // Returns the corners of both sides of a sheet: for each triangle with an area six points, half the thickness

@@ -68,9 +68,9 @@ class ContactSearch {
 // Each body moves by a fraction of its motion: all of it, a half, a quarter, or none. The fractions of two
 // bodies that would intersect are lowered until they do not; bodies that do not move cause no new
 // intersection, so this terminates. Bodies too light to stop another body (see KinematicBody) may intersect
-// it, as may bodies that must leave the ground. Multithreaded; the result does not depend on the number of
-// threads. Precondition: MovingBody::next is the end of the way. Returns the number of bodies that were held
-// back.
+// it, as may bodies that have sunk into the ground. Multithreaded; the result does not depend on the number
+// of threads. Precondition: MovingBody::next is the pose at the end of the full motion. Returns the number of
+// bodies that were held back.
 size_t limit_penetration(std::span<MovingBody> bodies, ContactSearch& search);
 
 // Limits the speeds after a tick by those before it. Contacts dissipate energy, so they make no body faster

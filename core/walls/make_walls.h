@@ -28,8 +28,8 @@ struct WallPatch {
   std::vector<VertexId> rim;
   std::vector<Vec3> added;  // m
   std::vector<std::array<uint32_t, 3>> faces;
-  // Walls, i.e. connected sets of faces: the index of the wall by face of the patch and by side, and for each
-  // wall a face of the mesh at its rim.
+  // Walls, i.e. connected sets of faces: the wall index of each face of the patch and of each side; and, by
+  // wall, a face of the mesh at its rim.
   std::vector<uint32_t> wall_of_face, wall_of_side;
   std::vector<FaceId> beside_wall;
 };
@@ -59,12 +59,12 @@ struct MadeWalls {
   std::vector<std::string> left_open;
 };
 
-// Creates the walls: the part of the boundary of the swept volume inside the solids that the sides bound. In
-// the chart of this boundary (see WallChart) the sides are directed edges, and the walls are the region with
-// winding number 1; if the range of the beam ends in a solid, a flat cap closes the wall. Vertices of the rim
-// are kept; added vertices lie on the boundary, and edges deviate from it by at most kRimNear radii. The
-// faces are counter-clockwise seen from outside the solid, i.e. from the beam. Every edge has two faces,
-// including the faces at the rim.
+// Creates the walls: the part of the boundary of the swept volume that lies inside the solids and is bounded
+// by the sides. In the chart of this boundary (see WallChart) the sides are directed edges, and the walls are
+// the region with winding number 1; if the range of the beam ends in a solid, a flat cap closes the wall.
+// Vertices of the rim are kept; added vertices lie on the boundary, and edges deviate from it by at most
+// kRimNear radii. The faces are counter-clockwise seen from outside the solid, i.e. from the beam. Every edge
+// has two faces, including the faces at the rim.
 //
 // All solids share one patch if possible. If their walls meet or overlap, e.g. because solids touch, each
 // solid (an outer shell with its cavities) gets a patch of its own.

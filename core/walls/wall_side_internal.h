@@ -25,7 +25,8 @@ struct SweptSides {
   double reach = 0;  // max distance of a vertex of the rim from the chart [m]
 };
 
-// Fails with a reason if the beam has no chart. Precondition: `vertices`, those of the rim, are not empty.
+// Computes the chart of the swept volume for the vertices of a rim. Fails with a reason if the beam has no
+// chart. Precondition: `vertices` is not empty.
 Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId> vertices,
                                      const WallStroke& stroke);
 
@@ -41,8 +42,8 @@ Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<c
                                                    std::span<const uint32_t> part_of_face,
                                                    const WallStroke& stroke, const SweptSides& swept);
 
-// Chart of one curve of the outline in integers: x runs around, y against the depth. The beam is on the
-// left of the outline, so that walls whose outside faces the beam are counter-clockwise.
+// Chart of one curve of the outline, with integer coordinates: x runs around the beam, y against the depth.
+// The beam is on the left of the outline, so that walls whose outside faces the beam are counter-clockwise.
 class SideChart {
  public:
   static constexpr int64_t kSize = int64_t{1} << 30;  // width of the chart; y is less
@@ -55,11 +56,12 @@ class SideChart {
 
   // Returns the increase of x along an edge of the rim; the edge runs the shorter way around the beam.
   static int64_t x_between(const ChartVertex& from, const ChartVertex& to);
-  // Returns the vertex in the middle of an edge, the x of whose ends may lie beyond the width.
+  // Returns the midpoint of an edge. The x of either end may lie outside the width of the chart.
   static ChartVertex middle(const ChartVertex& from, const ChartVertex& to);
 
  private:
-  // With an apex, straight lines are straight in the chart if depth is measured by its reciprocal.
+  // If the axes of the beam meet in an apex, straight lines are straight in the chart only if y is linear in
+  // the reciprocal of the depth.
   double height(double depth) const { return chart_->parallel() ? -depth : 1 / depth; }
   double depth(double height) const { return chart_->parallel() ? -height : 1 / height; }
 

@@ -21,7 +21,7 @@ struct PieceCopy {
   std::vector<FaceId> faces;         // of the body, ascending
   Mesh mesh;                         // face i is a copy of faces[i]
   std::vector<uint32_t> loaded;      // by face of `mesh`: the loaded face that contains it
-  std::vector<uint32_t> components;  // by face of `mesh`: of LoadedComponents; empty if the body has none
+  std::vector<uint32_t> components;  // by face of `mesh`: its loaded component; empty if the body has none
 };
 
 // Copies a piece. Precondition: it has faces. O(n log n).

@@ -113,10 +113,10 @@ struct Body {
   // Centre of the bounds of the mesh as loaded, the origin of moments.
   Vec3 middle() const { return 0.5 * loaded.min + 0.5 * loaded.max; }
 
-  // Adds to the counts of the piece and the component of f.
+  // Adds `faces` and `area` to the counts of the piece and of the component of f.
   void count(FaceId f, int faces, double area);
 
-  // Members that a command may change in an existing body, without the derived tree (see World::BodyChange).
+  // Members that a command may change in an existing body, except the derived tree (see World::BodyChange).
   template <typename Self>
   static auto parts(Self& self) {
     return std::tie(self.name, self.named, self.piece_names, self.placement, self.hidden, self.motion,
@@ -197,7 +197,7 @@ class World {
   const EnergyLedger& energy() const { return situation_.energy; }
   EnergyLedger& edit_energy() { return situation_.energy; }
 
-  // The spring by which the user drags a piece, which may no longer exist.
+  // The spring by which the user drags a piece. The piece may no longer exist.
   const std::optional<Spring>& spring() const { return situation_.spring; }
   void set_spring(const std::optional<Spring>& spring) { situation_.spring = spring; }
 
@@ -227,7 +227,7 @@ class World {
   void begin_change();
   Change end_change();
   void exchange(Change& change);
-  // Restores the world before the change by edits that are recorded like any others. Bodies that the change
+  // Restores the state before the change, by edits that are recorded like any others. Bodies that the change
   // added are removed, and their slots stay unused. Consecutive changes are restored one by one, the latest
   // first; `slots` is slots_before() of the earliest. Precondition: the change removed no body that existed
   // before the earliest one. May also be applied to a copy of the world.
@@ -286,7 +286,7 @@ class World::Change {
   void keep(uint32_t slot, Body& body);
 
   ChangeOf<Situation> situation_;
-  size_t slots_ = 0, slots_end_ = 0;  // their number before and after the change
+  size_t slots_ = 0, slots_end_ = 0;  // number of slots before and after the change
   bool is_undone_ = false;            // true while the world is in the state before the change
   std::vector<BodyChange> edited_;
   std::vector<std::pair<uint32_t, uint32_t>> exchanged_;  // slots whose bodies were exchanged, in order

@@ -11,8 +11,8 @@
 
 namespace kerf {
 
-// Describes why a match ended, for the player: "Your engine was cut off by the van". `killer` is the
-// vehicle whose beam wrecked the player's car, if one did. Precondition: it is over.
+// Describes why a match ended, for the player: "Your engine was cut off by the van". `killer` is the vehicle
+// whose beam wrecked the player's car, if one did. Precondition: the match is over.
 std::string end_reason(const Match& match, size_t killer = Event::kNobody);
 
 // Display names of parts of a vehicle: "engine", "front left wheel".
@@ -39,7 +39,7 @@ class HudState {
   void clear();
 
   const std::deque<Notice>& notices() const { return notices_; }
-  // Falls from 1, when the player was just hit, to 0; and the source of that beam (world, m).
+  // hurt() falls from 1, when the player was just hit, to 0. hurt_from(): source of that beam [m, world].
   double hurt() const { return hurt_; }
   const Vec3& hurt_from() const { return hurt_from_; }
   // Falls from 1, when the player's beam just cut an enemy, to 0.
@@ -58,7 +58,7 @@ class HudState {
 // a car.
 class Lesson {
  public:
-  // `match` is the played one, at its beginning, in an arena with loose objects.
+  // Precondition: `match`, the one that the user plays, has just begun, and its arena has loose objects.
   explicit Lesson(const Match& match);
 
   // The player's task and its place (m, in the world).
@@ -80,7 +80,7 @@ class Lesson {
   Step step_ = Step::kDrive;
   Vec3 place_{0};          // m, destination of the drive
   BodyId drum_;            // invalid if there is nothing to cut
-  size_t drum_faces_ = 0;  // cut out of it
+  size_t drum_faces_ = 0;  // faces cut out of the drum
 };
 
 // Formats seconds as "2:05"; negative ones as 0:00.

@@ -6,9 +6,9 @@
 
 namespace kerf::gl {
 
-// Makes each error that the driver reports for the current context fatal where assertions are fatal
-// (core/base/assert.h): it is printed on standard error, and the program ends by a signal. No-op otherwise,
-// or if the context has no debug output.
+// If assertions are fatal (core/base/assert.h), makes each error that the driver reports for the current
+// context fatal: prints it on standard error, and ends the program by a signal. Otherwise, or if the context
+// has no debug output, does nothing.
 void report_gl_errors();
 
 // An OpenGL 3.3 core context without a window, a screen or an X server. Current on this thread while the
@@ -17,8 +17,8 @@ class OffscreenContext {
  public:
   // Tries EGL's surfaceless platform, then its first device. The error gives the reason for each failure.
   static Result<OffscreenContext> create();
-  // Creates a context whose default framebuffer is a surface in memory of a size in pixels. Precondition:
-  // the size is positive.
+  // Creates a context whose default framebuffer is an off-screen surface. Precondition: the size [pixels] is
+  // positive.
   static Result<OffscreenContext> create_with_surface(int width, int height);
   // Replaces the surface by one of another size, with undefined content. Precondition: there is a surface
   // and the size is positive.

@@ -45,7 +45,7 @@ class VolumeBuffer {
 
   size_t bytes() const;
 
-  // Uploads the changes of the volume since the last call. Precondition: the volume has followed the
+  // Uploads the changes of the volume since the last call. Precondition: the volume is up to date with the
   // caster.
   void update(const ShadowCaster& caster);
 

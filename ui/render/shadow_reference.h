@@ -90,7 +90,7 @@ class ReferencePass {
  public:
   explicit ReferencePass(Shaders& shaders);
 
-  // Draws over the whole bound framebuffer. Precondition: both have the same size.
+  // Draws over the whole bound framebuffer. Precondition: `traced` and `drawn` have the same size.
   void draw(const ShadowReference& traced, const ShadowCounts& drawn) const;
 
  private:

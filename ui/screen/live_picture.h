@@ -91,8 +91,8 @@ class LivePicture {
 
   PictureMemory memory() const;
 
-  // Draws one viewport, or two if `second` is not null. Precondition: second() was called before if so.
-  // Returns true if anything was redrawn; took() must then be called with the duration of the frame [s].
+  // Draws one viewport, or two if `second` is not null; then second() must have been called before. Returns
+  // true if anything was redrawn; took() must then be called with the duration of the frame [s].
   bool draw(const Shot& first, const Shot* second, PictureChange change, const Window& window,
             ShadowStatistics& statistics);
   void took(double seconds);
@@ -133,7 +133,8 @@ class LivePicture {
   double rough_seconds() const { return std::min(rough_seconds_[0], rough_seconds_[1]); }
   bool may_gather() const;
   bool follows_heat(PictureChange change) const;
-  // Returns true if more frames are to be accumulated; false early if one of them takes too long.
+  // Returns true if more frames are to be accumulated. Stops accumulating early if single frames take too
+  // long.
   bool is_gathering() const {
     return quality_ == Quality::kGathered && !first_.gathered.complete() && may_gather();
   }

@@ -49,8 +49,8 @@ class KeptFields {
   bool reads_;
 };
 
-// Reads a settings file. Returns an empty object if the file is missing. Returns one and sets `fault` to
-// the reason if it cannot be read; a file that is no JSON object is first renamed with ".bad" appended, so
+// Reads a settings file. Returns an empty object if the file is missing or cannot be read; in the latter case
+// `fault` is set to the reason. A file that is not a JSON object is first renamed with ".bad" appended, so
 // that it is not overwritten.
 nlohmann::json read_kept(const std::filesystem::path& file, std::string& fault);
 

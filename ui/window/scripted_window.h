@@ -76,15 +76,15 @@ class VirtualInput {
 //   {"close": true}               the close button of the window
 //   {"together": [STEP, ...]}     several of the above before one frame
 //   {"wait": SECONDS}             draws frames for this time
-//   {"settle": SECONDS}           draws frames until nothing moves or works, at most for this time
+//   {"settle": SECONDS}           draws frames until the window is idle, at most for this time
 //
 //   {"frame": SECONDS}            time between two frames from now on; 1/60 by default
-//   {"draws": false}              skips drawing from now on, almost all of the time of a software renderer
+//   {"draws": false}              no frame is drawn from now on; saves time with a software renderer
 //   {"picture": "FILE"}           writes the window as a PNG
 //   {"answer": "WHAT"}            prints an answer of the screen as a line of JSON: "landmarks" (layout.h),
 //                                 "report" or "title"
 //
-// At the end of the file the program ends as by SIGTERM. An invalid line ends it with an error message.
+// At the end of the file the program ends as on SIGTERM. An invalid line ends it with an error message.
 class EventScript {
  public:
   // The current screen's answer to "landmarks" or "report", as JSON; nullopt if it has none.
@@ -161,7 +161,8 @@ class ScriptedWindow final : public Window {
   void begin_gui_frame() override;
 
  private:
-  // Work with a time limit ends after a number of clock readings that is the same in every run.
+  // Advances by a fixed time per reading, so that work with a time limit ends after the same number of
+  // readings in every run.
   class Clock final : public WindowClock {
    public:
     explicit Clock(const EventScript& script) : script_(script) {}

@@ -50,8 +50,8 @@ struct PilotSkill {
 };
 
 // Drives a vehicle against its opponents: circles around the nearest one, aims at its parts, and retreats
-// when damaged. Perceives everything late by its reaction time and extrapolates with the velocity that it
-// saw. Its state is a function of its seed and of the views passed to it.
+// when damaged. Perceives the placement of its opponent with a delay of its reaction time, and extrapolates
+// it with the perceived velocity. Its state is a function of its seed and of the views passed to it.
 class Pilot {
  public:
   Pilot(uint64_t seed, const PilotSkill& skill);

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-// A material of an OBJ library. Images of its lines are indices of `references`.
+// A material of an OBJ library. MtlLine::image is an index of MtlFile::references.
 struct MtlEntry {
   std::string name;
   std::vector<MtlLine> lines;

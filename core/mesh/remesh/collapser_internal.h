@@ -51,9 +51,10 @@ struct Quadric {
   }
 };
 
-// Locates the quarters of some faces of a mesh while its sheets are simplified. A quarter lies on the face
-// nearest to its middle among those that replaced its previous face. So it never moves to another sheet, and
-// the cost of a collapse depends only on the quarters around the removed vertex.
+// Tracks some faces of a mesh while its sheets are simplified, by the quarters into which the edge midpoints
+// divide each face. A quarter lies on the face nearest to its centre among those that replaced its previous
+// face. So it never moves to another sheet, and the cost of a collapse depends only on the quarters around
+// the removed vertex.
 class FollowedFaces {
  public:
   // A face changed by a collapse: its number and its new shape, in the frame of the sheets.
@@ -132,7 +133,7 @@ class CollapseRules {
   void set_min_cosine2(double cosine2) { min_cosine2_ = cosine2; }
 
   // A vertex with more faces is a hub and does not collapse until its neighbours have: inspecting its ring
-  // after each of their collapses would take quadratic time. Collapses onto it inspect no other hub either.
+  // after each of their collapses would take quadratic time. A collapse onto a hub inspects no other hub.
   static constexpr uint32_t kMaxFaces = 256;
 
   bool is_hub(uint32_t v) const { return surface_.faces_at(v) > kMaxFaces; }
@@ -179,8 +180,8 @@ class Collapser {
   double area() const;                   // in the frame of the sheets; O(faces)
   std::vector<FollowedFace> followed() const { return followed_.places(sheets_.faces); }
 
-  // From now on collapses keep samples of the surface, as of the first call, within `most` of it, in the
-  // frame of the sheets; nullopt removes the bound.
+  // Limits later collapses: samples that the first call takes of the surface must stay within `most` of the
+  // current surface, in the frame of the sheets. nullopt removes the limit.
   void bound_distance(std::optional<double> most);
 
   // Returns false if stopped.

@@ -13,8 +13,8 @@ namespace kerf {
 
 // Frames: the displayed unit and up axis of the open document. Positions keep the values of the file.
 
-// Returns the format under which frames are remembered, such as "stl", of the mesh file that a scene
-// consists of; empty for a scene of several bodies or of an unknown format.
+// Returns the format of the only mesh file of a scene, such as "stl", under which the frame is remembered;
+// empty if the scene has several bodies or the format is unknown.
 std::string mesh_kind(const SceneDescription& scene);
 
 // The frame of a newly opened scene. `ask`: the user is asked about it.
@@ -28,7 +28,8 @@ struct FrameChoice {
 FrameChoice select_frame(const SceneDescription& scene, bool is_mesh_file, const World::Bounds& bounds,
                          const Settings& settings);
 
-// Records the frame in a scene to be saved. No-op if it is Kerf's own and was not recorded before.
+// Records the frame in a scene to be saved. No-op if the frame is the default one and the scene records no
+// other.
 void record_frame(SceneDescription& scene, const FileFrame& frame);
 
 // Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.

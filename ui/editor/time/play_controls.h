@@ -57,8 +57,8 @@ class ReachedSpeed {
   std::optional<double> reached_;
 };
 
-// Number of ticks that are due, and how many are queued at once, which adapts to how many the previous
-// frames could execute.
+// Number of ticks that are due, and the limit on ticks queued at once, which adapts to the number that
+// previous frames could execute.
 struct TickPace {
   double due = 0;   // ticks
   double most = 1;  // max. ticks queued at once
@@ -75,11 +75,11 @@ struct TickPace {
 // Advances time in the open document during playback by queueing ticks in which bodies move.
 //
 // Ticks are queued only when all previous ones are done, so that the world runs in slow motion if ticks or
-// cuts take longer than real time. Undo ends playback. At its end, and at each full minute, the journal
-// records the state of the bodies, so that opening it need not simulate them again.
+// cuts take longer than real time. Undo ends playback. When playback ends, and at each full minute, the
+// journal records the state of the bodies, so that opening the journal need not simulate them again.
 class TimeFlow {
  public:
-  // All must outlive it. `spring`: with which the user pulls a piece.
+  // All arguments must outlive this object. `spring`: the one by which the user pulls a piece.
   TimeFlow(Workspace& workspace, PlayState& play, const std::optional<Spring>& spring)
       : workspace_(workspace), play_(play), spring_(spring) {}
 
@@ -110,7 +110,7 @@ class TimeFlow {
 // while there are undone history entries, because a tick would discard them.
 class Cooling {
  public:
-  // Both must outlive it.
+  // Both arguments must outlive this object.
   Cooling(Workspace& workspace, const PlayState& play) : workspace_(workspace), play_(play) {}
 
   // Call once per frame after processing the queue, with the seconds since the last frame.
@@ -145,14 +145,15 @@ const char* pin_disabled_reason(const ViewState& view);
 // Returns true if all selected pieces are pinned. Precondition: the pieces are those of the world.
 bool selected_are_pinned(const World& world, const ViewState& view);
 
-// Returns the command that switches gravity on or off. Its value is that of the Earth, and the ground lies
+// Returns the command that switches gravity on or off. Gravity has the Earth's value, and the ground lies
 // where it is drawn. Without gravity there is a ground only if +Y points upwards.
 SetEnvironment with_gravity(const World& world, const FileFrame& frame, bool on);
 
 // Returns the set speed, with the actual one if that is clearly lower: "1x", "0.12x of 1x".
 std::string speed_text(const PlayState& play, const ReachedSpeed& reached);
 
-// Draws the state at the upper edge of the first half, with speed and elapsed time: "Playing 1/2x  3.4 s".
+// Draws the playback state at the upper edge of the first half of the viewport, with speed and elapsed time:
+// "Playing 1/2x  3.4 s".
 void draw_play_badge(const PlayState& play, const ReachedSpeed& reached, const World& world,
                      const ViewState& view, Badges& badges);
 

@@ -31,8 +31,9 @@ void add_light(ViewOptions& look, UpAxis up);
 // Removes the selected light and selects the first one. Precondition: there is a light.
 void remove_light(ViewOptions& look);
 
-// Handles of the lights in the first half: a lamp has one at its position, a directional light on a sphere
-// around the pivot of the camera. Places are in the window, in screen coordinates.
+// Handles of the lights in the first half of the viewport: that of a lamp is at its position, that of a
+// directional light on a sphere around the pivot of the camera. Places are in the window, in screen
+// coordinates.
 
 // Returns the place of the handle of a light; nullopt if it is outside the viewport.
 std::optional<Vec2> light_handle(const ViewState& view, size_t light);

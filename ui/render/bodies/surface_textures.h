@@ -14,9 +14,10 @@
 
 namespace kerf {
 
-// The materials of a mesh file on the GPU, with their images in two arrays of equal layers: colours, which
-// the sampler converts to linear light, and numbers. A thread decodes the images; until they are uploaded,
-// materials have their factors only. An image that is missing or damaged is a checkerboard.
+// The materials of a mesh file on the GPU, with their images in two arrays of layers of equal size: colours,
+// which the sampler converts to linear light, and data such as normals. A thread decodes the images; until
+// they are uploaded, materials have their factors only. An image that is missing or damaged is a
+// checkerboard.
 class SurfaceTextures {
  public:
   // Maximum memory of all layers. If the images need more, all are scaled down.
@@ -37,7 +38,7 @@ class SurfaceTextures {
   bool update(bool waits);
   bool is_loading() const { return decoding_ != nullptr; }
 
-  // Binds the block "Surfaces" and the samplers of `program`. Precondition: it is in use.
+  // Binds the block "Surfaces" and the samplers of `program`. Precondition: `program` is in use.
   void bind(const gl::Program& program) const;
 
   size_t bytes() const { return bytes_; }  // of the layers
@@ -46,7 +47,7 @@ class SurfaceTextures {
   struct Decoding;
   struct Layer {
     uint32_t image = 0;
-    bool colours = false;  // in linear light
+    bool colours = false;  // else data such as normals
   };
 
   int layer_of(const SurfaceLook& look, SurfaceMap map);

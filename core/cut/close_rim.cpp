@@ -414,7 +414,7 @@ class RimBite {
 
   // Returns true if the rim is closed in all bodies.
   Result<bool> take(std::span<const BeamMove> path, const SweptByBody& swept, StepResult& result) {
-    const std::vector<BodyId> ids = cuttable(world_);
+    const std::vector<BodyId> ids = cuttable(world_, settings_);
     while (work_.bodies < ids.size()) {
       const BodyId id = ids[work_.bodies];
       BodyStep step(id, world_.body(id));

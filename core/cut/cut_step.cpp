@@ -38,7 +38,7 @@ class StepRun {
  public:
   StepRun(World& world, const CutSettings& settings, UnfinishedMove& unfinished, const Progress& progress)
       : world_(world), settings_(settings), move_(unfinished), progress_(progress) {
-    for (const BodyId id : cuttable(world)) bodies_.emplace_back(id, world.body(id));
+    for (const BodyId id : cuttable(world, settings)) bodies_.emplace_back(id, world.body(id));
   }
 
   // For moves through one body, in its frame.
@@ -212,6 +212,12 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
 std::vector<BodyId> cuttable(const World& world) {
   std::vector<BodyId> ids = world.ids();
   std::erase_if(ids, [&](BodyId id) { return world.body(id).hidden; });
+  return ids;
+}
+
+std::vector<BodyId> cuttable(const World& world, const CutSettings& settings) {
+  std::vector<BodyId> ids = cuttable(world);
+  std::erase_if(ids, [&](BodyId id) { return !settings.cuts(id); });
   return ids;
 }
 

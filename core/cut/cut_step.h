@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -20,8 +21,12 @@
 
 namespace kerf {
 
+struct CutSettings;
+
 // Returns the bodies that a beam can cut, i.e. all visible ones, in the order of World::ids(). O(bodies).
 std::vector<BodyId> cuttable(const World& world);
+// Likewise, without those that CutSettings::bodies excludes. O(bodies * listed bodies).
+std::vector<BodyId> cuttable(const World& world, const CutSettings& settings);
 
 // Returns true if a beam touches a face of a cuttable body during a move in world coordinates. Otherwise the
 // move removes and heats nothing. Also returns true for a move of very many parts (see subdivide). O(log n)
@@ -130,6 +135,9 @@ struct CutSettings {
   Laser laser;
   Resolution resolution;
   Model model = Model::kGeometric;
+  // The only bodies to cut; empty: all visible ones.
+  std::vector<BodyId> bodies{};
+  bool cuts(BodyId id) const { return bodies.empty() || std::ranges::find(bodies, id) != bodies.end(); }
   // Width of the heat-affected zone of the geometric model [m], >= 0; 0: none. See deposit_heat.
   double heat_width = 0;
   // Returns true if the cut leaves a smooth rim. That requires Pattern::kVolume and Model::kGeometric, with
@@ -186,7 +194,7 @@ struct StepResult {
   StepStatistics statistics;
 };
 
-// Executes one step of a cut through all bodies that the beam may cut (see cuttable). For each move of the
+// Executes one step of a cut through all bodies that the settings let the beam cut (see cuttable). For each move of the
 // beam in turn, finds the faces that it touches (hit), splits them until they are fine enough or wholly
 // inside the beam (refine), removes them (remove), and labels separated pieces (separate). Faces are split
 // and removed nowhere else. Moves are in world coordinates.

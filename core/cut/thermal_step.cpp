@@ -47,7 +47,7 @@ class ThermalMoves {
         face_(size_of_faces(settings)),
         burn_(world, settings, burned_, face_,
               [this](size_t b, FaceId f) { return is_fine_enough(steps_[b], settings_, f); }) {
-    for (const BodyId id : cuttable(world)) {
+    for (const BodyId id : cuttable(world, settings)) {
       burned_.push_back({id, {}, {}, 0, {}});
       steps_.emplace_back(id, world.body(id));
     }

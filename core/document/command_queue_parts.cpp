@@ -157,7 +157,7 @@ Result<StepResult> CommandQueue::move_under_beam(size_t step, const Progress& pr
     const Body& body = world_.body(id);
     const std::vector<BeamMove> moves =
         stroke->move_body(id, body, before[id], pending_.front_in_time().move.to);
-    if (moves.empty() || stroke->settings.model == Model::kThermal) continue;
+    if (moves.empty() || !stroke->settings.cuts(id) || stroke->settings.model == Model::kThermal) continue;
     Result<StepResult> cut = cut_body(world_, stroke->settings, id, moves, &progress);
     if (!cut) return cut;
     record_cut(step, *cut);

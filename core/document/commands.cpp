@@ -44,6 +44,7 @@ static void describe(Fields& f, CutSettings& s) {
   f.number("duty", s.laser.duty, kPositiveShare, 1);
   f.choice("assist", s.laser.assist, kAssists, Assist::kNone);
   f.whole("most-faces", s.max_faces, 1, uint64_t{1} << 32, CutSettings::kMaxFaces);
+  bodies_field(f, "bodies", s.bodies);
 }
 
 void describe(Fields& f, BeginStroke& c) {
@@ -255,7 +256,7 @@ void describe(Fields& f, AddMesh& c) {
 }
 
 Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* progress) const {
-  Result<Body> body = load_body(name, file, progress);
+  Result<Body> body = create ? create(progress) : load_body(name, file, progress);
   if (!body) return body.error();
   Delta delta;
   delta.created = {world.add(std::move(*body), generation)};

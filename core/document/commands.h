@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -234,6 +235,8 @@ void describe(Fields& f, TurnShells& c);
 struct AddMesh {
   std::filesystem::path file;
   std::string name;
+  // If set, creates the body instead of the file. A journal with such a command must not be written.
+  std::function<Result<Body>(const Progress*)> create = {};
 
   static constexpr const char* kName = "add-mesh";
   size_t weight() const { return file.native().size() + name.size(); }

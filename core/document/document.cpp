@@ -244,6 +244,35 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
   return outcome;
 }
 
+Outcome Document::cancel_stroke() {
+  KERF_ASSERT(history().position() > 0 && history().last().kind() == Kind::kStroke);
+  Outcome all;
+  while (queue_.pending().unfinished_rim().is_uninterruptible()) {
+    Result<StepResult> some = execute(1, false, nullptr);
+    if (!some) {
+      all.fail(some.error());
+      return all;
+    }
+    all.delta.append(std::move(some->delta));
+  }
+  end_stroke();
+  const size_t at = history().position() - 1;
+  if (last().images() == Images::kDiscarded) {
+    all.fail(failed("the state before the stroke is no longer stored"));
+    return all;
+  }
+  all.delta.append(queue_.undo(at));
+  queue_.history().set_position(at);
+  queue_.history().drop_undone();
+  const std::vector<Command>& commands = journal_.commands();
+  size_t begin = commands.size();
+  while (!std::holds_alternative<BeginStroke>(commands[--begin])) {
+  }
+  journal_.shrink(begin);
+  ++revision_;
+  return all;
+}
+
 std::optional<World> Document::before_last_stroke() {
   const auto stroke = history().last_cut();
   if (!stroke || *stroke + 1 != history().position() || world().live_faces() > kMaxFacesToCopy)

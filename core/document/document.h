@@ -119,6 +119,12 @@ class Document {
   // queue leads to the same world, to the bit. Returns the changes. Precondition: can_restart_stroke().
   Delta restart_stroke();
 
+  // Undoes the last history step, a stroke of which parts may be queued, and removes it from the history and
+  // the journal. First finishes the walls of a solid that a step left incomplete. The outcome lists all
+  // changes. Fails, and keeps the stroke as executed so far, if before-images were discarded.
+  // Precondition: the last history step is a stroke, and the journal holds no later command.
+  Outcome cancel_stroke();
+
   // Returns a copy of the world before the last stroke that was not undone; nullopt if its before-images
   // were discarded or the world has more faces than can be copied between two frames.
   static constexpr size_t kMaxFacesToCopy = 400'000;

@@ -57,7 +57,7 @@ StageRecord SingleStep::describe() const {
   }
   const UnfinishedMove& unfinished = pending.unfinished();
   record.kind = kind_of(unfinished.stage);
-  const std::vector<BodyId> bodies = cuttable(document_.world());
+  const std::vector<BodyId> bodies = cuttable(document_.world(), pending.front_stroke()->settings);
   if (unfinished.bodies >= bodies.size()) return record;
   record.body = bodies[unfinished.bodies];
   const Placement& placement = document_.world().body(record.body).placement;

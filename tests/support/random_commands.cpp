@@ -86,6 +86,7 @@ void put(std::vector<uint64_t>& bits, const CutSettings& s) {
     bits.push_back(static_cast<uint64_t>(n));
   }
   bits.push_back(s.max_faces);
+  for (const BodyId& id : s.bodies) bits.insert(bits.end(), {id.slot, id.generation});
 }
 
 struct Bits {
@@ -203,6 +204,8 @@ CutSettings random_settings(Random& random) {
     s.laser.assist = random.below(2) == 0 ? Assist::kOxygen : Assist::kNone;
   }
   if (random.below(3) == 0) s.max_faces = 1 + random.below(1u << 30);
+  for (uint64_t i = random.below(3); i > 0; --i)
+    s.bodies.push_back({static_cast<uint32_t>(random.below(9)), static_cast<uint32_t>(random.below(9))});
   return s;
 }
 

@@ -19,6 +19,17 @@ Status read_piece(const JsonValue& value, PieceId& piece) {
   return Done{};
 }
 
+Status read_bodies(const JsonValue& value, std::vector<BodyId>& bodies) {
+  if (const Status list = value.array("bodies"); !list) return list;
+  bodies.clear();
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto numbers = value[i].whole_numbers({2});
+    if (!numbers) return value[i].wrong("must be [slot, generation]");
+    bodies.push_back({(*numbers)[0], (*numbers)[1]});
+  }
+  return Done{};
+}
+
 nlohmann::ordered_json piece_json(const PieceId& piece) {
   return {piece.body.slot, piece.body.generation, piece.label};
 }
@@ -115,6 +126,17 @@ void piece_field(Fields& f, PieceId& piece) {
   f.value(
       "piece", [&](const JsonValue& value) { return read_piece(value, piece); },
       [&] { return piece_json(piece); });
+}
+
+void bodies_field(Fields& f, const char* key, std::vector<BodyId>& bodies) {
+  if (!f.present(key, !bodies.empty())) return;
+  f.value(
+      key, [&](const JsonValue& value) { return read_bodies(value, bodies); },
+      [&] {
+        Json list = Json::array();
+        for (const BodyId& id : bodies) list.push_back({id.slot, id.generation});
+        return list;
+      });
 }
 
 static void describe(Fields& f, Substance& substance) {

@@ -29,6 +29,8 @@ void describe(Fields& f, Pose& pose);            // "origin" and "direction", a 
 void describe(Fields& f, Placement& placement);  // "position" and "orientation"
 // "piece": [slot, generation, label].
 void piece_field(Fields& f, PieceId& piece);
+// A list of [slot, generation]; not written if it is empty.
+void bodies_field(Fields& f, const char* key, std::vector<BodyId>& bodies);
 
 inline constexpr NumberField<Sheet> kThickness{
     "thickness", "thickness", &Sheet::thickness, {1e-9, 1e3, "m", true}, always_written(0.001)};

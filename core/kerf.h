@@ -69,7 +69,9 @@ class Run {
 
   template <typename F>
   void call(F function) {
-    kerf_call_options c{nullptr, this, options_.threads};
+    kerf_call_options c = KERF_CALL_OPTIONS_INIT;
+    c.user = this;
+    c.threads = options_.threads;
     if (options_.progress) c.progress = &Run::on_progress;
     const kerf_result result = function(&c);
     if (thrown_) std::rethrow_exception(thrown_);
@@ -168,12 +170,18 @@ class Mesh {
 
   // Return the properties of the mesh; see kerf_mesh_info. O(1).
   kerf_mesh_info info() const {
-    kerf_mesh_info info;
-    kerf_mesh_get_info(get(), &info);
+    kerf_mesh_info info = KERF_MESH_INFO_INIT;
+    check(kerf_mesh_get_info(get(), &info));
     return info;
   }
   std::string name() const { return info().name; }
   double area() const { return info().area; }
+  // Returns vertices - edges + faces; see kerf_mesh_euler_number. O(n log n).
+  int64_t euler_number() const {
+    int64_t number = 0;
+    check(kerf_mesh_euler_number(get(), &number));
+    return number;
+  }
 
   // Returns the kerf_c.h handle; this object keeps ownership.
   const kerf_mesh* get() const { return mesh_.get(); }
@@ -189,7 +197,12 @@ struct Stroke {
   std::vector<Keyframe> keys;         // at least one
   double radius = 0;                  // m; 0: 1/400 of the diagonal of the world
   std::array<double, 2> range{0, 0};  // (min, max) along the beam [m]; both 0: from 0 to ten diagonals
-  double power = 0;                   // W, for the thermal model; 0: 2000
+  double power = 2000;                // W, for the thermal model, as are the following members
+  double wavelength = 0;              // m; 0: that of the usual laser for the material
+  std::optional<double> focus{};      // m along the beam to its waist; nullopt: the radius is constant
+  double pulse_rate = 0;              // Hz; 0: a continuous beam
+  double duty = 1;                    // share of each pulse period with the beam on
+  kerf_assist assist = KERF_ASSIST_NONE;
 };
 
 // Settings of a cut; see kerf_cut_settings.
@@ -203,14 +216,51 @@ struct CutSettings {
   std::string material{};               // empty: unchanged
 };
 
+// Internal: convert to structs of kerf_c.h, which refer to the arguments. Throw InvalidArgument for several
+// resolutions.
+inline kerf_stroke to_c(const Stroke& stroke) {
+  kerf_stroke c = KERF_STROKE_INIT;
+  c.keys = stroke.keys.data();
+  c.key_count = stroke.keys.size();
+  c.radius = stroke.radius;
+  c.range[0] = stroke.range[0];
+  c.range[1] = stroke.range[1];
+  c.power = stroke.power;
+  c.wavelength = stroke.wavelength;
+  if (stroke.focus) c.focus = *stroke.focus;
+  c.pulse_rate = stroke.pulse_rate;
+  c.duty = stroke.duty;
+  c.assist = stroke.assist;
+  return c;
+}
+inline kerf_cut_settings to_c(const CutSettings& settings) {
+  if (settings.target_edge.has_value() + settings.tolerance.has_value() + settings.max_level.has_value() > 1)
+    throw InvalidArgument("target_edge, tolerance and max_level: set only one of them");
+  kerf_cut_settings c = KERF_CUT_SETTINGS_INIT;
+  c.rim = settings.rim;
+  c.scheme = settings.scheme;
+  c.model = settings.model;
+  if (settings.target_edge) c.resolution = KERF_RESOLUTION_EDGE, c.target_edge = *settings.target_edge;
+  if (settings.tolerance) c.resolution = KERF_RESOLUTION_TOLERANCE, c.tolerance = *settings.tolerance;
+  if (settings.max_level) c.resolution = KERF_RESOLUTION_LEVEL, c.max_level = *settings.max_level;
+  if (!settings.material.empty()) c.material = settings.material.c_str();
+  return c;
+}
+
 using CutResult = kerf_cut_result;
 
-// Crossings of rays.
+using StrokeProgress = kerf_stroke_progress;
+using BodyId = kerf_body;
+
+// Points of surfaces; see kerf_hits. Vectors have three numbers per hit.
 struct Hits {
-  // all_hits(): the crossings of ray i are entries offsets[i] to offsets[i + 1] - 1. nearest_hits(): empty.
-  std::vector<size_t> offsets;
-  std::vector<double> distances;        // m, infinity on a miss
-  std::vector<uint32_t> bodies, faces;  // indices; bodies in the order of adding
+  std::vector<size_t> offsets;  // all_hits(): ray i has entries offsets[i] to offsets[i + 1] - 1; else empty
+  std::vector<double> distances;  // m, infinity on a miss
+  std::vector<BodyId> bodies;     // KERF_NO_BODY on a miss
+  std::vector<uint32_t> faces, pieces;
+  std::vector<double> barycentrics, positions, normals;
+  std::vector<uint16_t> materials;
+  std::vector<uint8_t> is_cut;
 };
 
 // The bodies that a laser cuts.
@@ -244,22 +294,9 @@ class World {
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
                 const CallOptions& options = {}) {
     std::vector<kerf_stroke> c_strokes;
-    for (const Stroke& s : strokes)
-      c_strokes.push_back({s.keys.data(), s.keys.size(), s.radius, {s.range[0], s.range[1]}, s.power});
-    kerf_cut_settings c_settings{};
-    c_settings.rim = settings.rim;
-    c_settings.scheme = settings.scheme;
-    c_settings.model = settings.model;
-    // An explicit 0 is an error, whereas 0 in kerf_cut_settings means unset.
-    if (settings.target_edge)
-      c_settings.target_edge = *settings.target_edge == 0 ? -1 : *settings.target_edge;
-    if (settings.tolerance) c_settings.tolerance = *settings.tolerance == 0 ? -1 : *settings.tolerance;
-    if (settings.max_level)
-      c_settings.max_level = *settings.max_level < 0    ? -2
-                             : *settings.max_level == 0 ? -1
-                                                        : *settings.max_level;
-    if (!settings.material.empty()) c_settings.material = settings.material.c_str();
-    CutResult result{};
+    for (const Stroke& stroke : strokes) c_strokes.push_back(to_c(stroke));
+    const kerf_cut_settings c_settings = to_c(settings);
+    CutResult result = KERF_CUT_RESULT_INIT;
     Run(options).call([&](const kerf_call_options* c) {
       return kerf_world_cut(get(), c_strokes.data(), c_strokes.size(), &c_settings, c, &result);
     });
@@ -268,6 +305,24 @@ class World {
   CutResult cut(const Stroke& stroke, const CutSettings& settings = {}, const CallOptions& options = {}) {
     return cut(std::span(&stroke, 1), settings, options);
   }
+
+  // A stroke in steps; see kerf_stroke_begin. Throw InvalidArgument for an invalid argument or without a
+  // stroke, Busy while another call or stroke uses the world.
+  void begin_stroke(const Stroke& stroke, const CutSettings& settings = {}) {
+    const kerf_stroke c_stroke = to_c(stroke);
+    const kerf_cut_settings c_settings = to_c(settings);
+    check(kerf_stroke_begin(get(), &c_stroke, &c_settings));
+  }
+  void add_pose(const Keyframe& key) { check(kerf_stroke_add_pose(get(), &key)); }
+  void end_stroke() { check(kerf_stroke_end(get())); }
+  // Executes a part of the stroke, at least one unit of work. max_faces, max_seconds: targets. Throws Error,
+  // and cancels the stroke, if a body would exceed the maximum number of faces.
+  StrokeProgress step_stroke(size_t max_faces, double max_seconds) {
+    StrokeProgress progress = KERF_STROKE_PROGRESS_INIT;
+    check(kerf_stroke_step(get(), max_faces, max_seconds, &progress));
+    return progress;
+  }
+  void cancel_stroke() { check(kerf_stroke_cancel(get())); }
 
   // Returns the pieces of all bodies, largest area first. O(n log n).
   std::vector<Mesh> pieces(const CallOptions& options = {}) const {
@@ -285,18 +340,15 @@ class World {
   // Finds the first surface that each ray crosses.
   // origins, directions: three numbers per ray; finite, directions of any non-zero length.
   // range: minimum and maximum distance (m).
-  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. About 0.3 us per
+  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. About 0.4 us per
   // ray.
   Hits nearest_hits(std::span<const double> origins, std::span<const double> directions,
                     std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                     const CallOptions& options = {}) const {
     const size_t n = ray_count(origins, directions);
-    Hits hits{{}, std::vector<double>(n), std::vector<uint32_t>(n), std::vector<uint32_t>(n)};
-    Run(options).call([&](const kerf_call_options* c) {
-      return kerf_world_nearest_hits(get(), origins.data(), directions.data(), n, range.data(), c,
-                                     hits.distances.data(), hits.bodies.data(), hits.faces.data());
+    return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
+      return kerf_world_nearest_hits(get(), origins.data(), directions.data(), n, range.data(), c, out);
     });
-    return hits;
   }
   // Finds all surfaces that each ray crosses, nearest first. Arguments, errors and cost per crossing are
   // those of nearest_hits().
@@ -304,15 +356,20 @@ class World {
                 std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                 const CallOptions& options = {}) const {
     const size_t n = ray_count(origins, directions);
-    kerf_hits found{};
-    Run(options).call([&](const kerf_call_options* c) {
-      return kerf_world_all_hits(get(), origins.data(), directions.data(), n, range.data(), c, &found);
+    return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
+      return kerf_world_all_hits(get(), origins.data(), directions.data(), n, range.data(), c, out);
     });
-    const std::unique_ptr<kerf_hits, void (*)(kerf_hits*)> owner(&found, kerf_hits_free);
-    return {{found.offsets, found.offsets + n + 1},
-            {found.distances, found.distances + found.count},
-            {found.bodies, found.bodies + found.count},
-            {found.faces, found.faces + found.count}};
+  }
+  // Finds the point of all surfaces nearest to each point. points: three numbers each; max_distance: m.
+  // Returns one entry per point. Throws InvalidArgument for a number that is not finite or negative. About
+  // 2 us per point and body.
+  Hits closest_points(std::span<const double> points,
+                      double max_distance = std::numeric_limits<double>::infinity(),
+                      const CallOptions& options = {}) const {
+    const size_t n = ray_count(points, points);
+    return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
+      return kerf_world_closest_points(get(), points.data(), n, max_distance, c, out);
+    });
   }
 
   // Writes the bodies as OBJ files and a scene.json for the editor.
@@ -361,6 +418,27 @@ class World {
     if (origins.size() % 3 != 0 || origins.size() != directions.size())
       throw InvalidArgument("origins and directions: must have the same length, three numbers per ray");
     return origins.size() / 3;
+  }
+
+  // Runs a query and copies its hits.
+  template <typename F>
+  static Hits query(const CallOptions& options, F function) {
+    kerf_hits found = KERF_HITS_INIT;
+    const std::unique_ptr<kerf_hits, void (*)(kerf_hits*)> owner(&found, kerf_hits_free);
+    Run(options).call([&](const kerf_call_options* c) { return function(c, &found); });
+    const size_t n = found.count;
+    Hits hits{{},
+              {found.distances, found.distances + n},
+              {found.bodies, found.bodies + n},
+              {found.faces, found.faces + n},
+              {found.pieces, found.pieces + n},
+              {found.barycentrics, found.barycentrics + 3 * n},
+              {found.positions, found.positions + 3 * n},
+              {found.normals, found.normals + 3 * n},
+              {found.materials, found.materials + n},
+              {found.is_cut, found.is_cut + n}};
+    if (found.offsets != nullptr) hits.offsets.assign(found.offsets, found.offsets + found.offset_count);
+    return hits;
   }
 
   std::unique_ptr<kerf_world, Destroy> world_;

@@ -2,7 +2,7 @@
 #define KERF_KERF_C_H
 
 /* Kerf as a C library: reads or creates triangle meshes, cuts them with a laser, returns the pieces as
- * arrays, and traces rays.
+ * arrays, and traces rays. core/README.md, section Stability, states what later versions keep.
  *
  * Units are SI: metres, seconds, watts, kilograms, kelvin. Frames are right-handed with +Y up; faces are
  * counter-clockwise seen from outside. An array of n points or directions holds 3 n numbers: x, y, z of
@@ -13,6 +13,11 @@
  * A failed call changes nothing. No exception leaves the library, and no argument ends the process except
  * an invalid pointer.
  *
+ * Structs: the first member of most is `size`, the sizeof of the caller's header. A later version appends
+ * members: of a smaller struct, the library takes the defaults of the missing members and writes none of
+ * them. KERF_..._INIT sets the size and the defaults. A size of the library's own header or less, at least 8
+ * and a multiple of 8, is valid; any other is KERF_INVALID_ARGUMENT.
+ *
  * Determinism: results are bit-identical on every x86-64 processor. They do not depend on the number of
  * threads, the locale, or the caller's rounding and flush-to-zero modes, which are restored on return.
  *
@@ -21,8 +26,15 @@
  * fails with KERF_BUSY while another call uses the world, and until it returns, other calls on that world
  * fail with KERF_BUSY. A mesh is immutable and may be shared. */
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+
+/* The version of this header, in numbers that grow: 200 is 0.2.0. */
+#define KERF_VERSION_MAJOR 0
+#define KERF_VERSION_MINOR 2
+#define KERF_VERSION_PATCH 0
+#define KERF_VERSION (KERF_VERSION_MAJOR * 10000 + KERF_VERSION_MINOR * 100 + KERF_VERSION_PATCH)
 
 #if defined(__GNUC__)
 #define KERF_API __attribute__((visibility("default")))
@@ -42,7 +54,7 @@ typedef enum kerf_result {
   KERF_BUSY = 4              /* another call uses the world; see Threads above */
 } kerf_result;
 
-/* Returns the version of the library, such as "0.1.0"; a static string. */
+/* Returns the version of the library, such as "0.2.0"; a static string. */
 KERF_API const char* kerf_version(void);
 
 /* Returns the message of the last failed call in this thread; empty if no call has failed. Valid until the
@@ -56,12 +68,15 @@ KERF_API const char* kerf_last_error(void);
  * Returns 0 to continue; any other value ends the call with KERF_CANCELLED. */
 typedef int (*kerf_progress)(double fraction, void* user);
 
-/* Options of a call. All zero, or a null pointer instead, is the default. */
+/* Options of a call. A null pointer instead is the default. */
 typedef struct kerf_call_options {
+  size_t size;
   kerf_progress progress; /* may be null */
   void* user;             /* passed to `progress` */
   unsigned threads;       /* maximum number of threads, 0 to 1024; 0: one per processor */
 } kerf_call_options;
+#define KERF_CALL_OPTIONS_INIT \
+  { sizeof(kerf_call_options), NULL, NULL, 0 }
 
 /* Meshes
  * ------------------------------------------------------------------------------------------------------ */
@@ -138,6 +153,7 @@ KERF_API const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t mater
 
 /* Properties of a mesh. Mass and inertia are 0 unless the mesh is a piece of a world. */
 typedef struct kerf_mesh_info {
+  size_t size;
   const char* name;      /* name of the piece, else empty; valid while the mesh exists */
   double area;           /* m^2 */
   double centroid[3];    /* of the area, or of the volume of a solid [m] */
@@ -146,16 +162,36 @@ typedef struct kerf_mesh_info {
   double inertia[6];     /* kg m^2 about the centroid in world axes: xx yy zz xy xz yz */
   double position[3];    /* of the body that owns the piece [m]: x_world = orientation * x_body + position */
   double orientation[4]; /* quaternion w x y z; the vertices are already in world coordinates */
+  double volume;         /* m^3, of a closed piece; 0 for an open one and any other mesh */
+  int is_closed;         /* 1 if the mesh is a piece in which each edge has two faces, else 0 */
+  int reserved;          /* 0 */
 } kerf_mesh_info;
+#define KERF_MESH_INFO_INIT \
+  { sizeof(kerf_mesh_info), NULL, 0, {0, 0, 0}, 0, 0, {0, 0, 0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0 }
 
-/* Writes the properties of a mesh to `info`: zeros if `mesh` is null. No-op if `info` is null. O(1). */
-KERF_API void kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info);
+/* Writes the properties of a mesh.
+ * info: its size is set; zeros if `mesh` is null.
+ * Errors: KERF_INVALID_ARGUMENT for a null `info` or an invalid size. O(1). */
+KERF_API kerf_result kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info);
+
+/* Computes the Euler number of a mesh, vertices - edges + faces. Equal positions count as one vertex if the
+ * mesh is a piece or was read from a file.
+ * out: receives the number. O(n log n). */
+KERF_API kerf_result kerf_mesh_euler_number(const kerf_mesh* mesh, int64_t* out);
 
 /* Worlds
  * ------------------------------------------------------------------------------------------------------ */
 
 /* The bodies that a laser cuts, with their AABB trees. */
 typedef struct kerf_world kerf_world;
+
+/* Id of a body in its world; never refers to a second body. */
+typedef uint64_t kerf_body;
+#define KERF_NO_BODY UINT64_MAX
+
+/* Index of a face in its body. A face keeps it until it is removed or its piece becomes another body; the
+ * index is used again only after an undo. */
+#define KERF_NO_FACE UINT32_MAX
 
 /* Creates an empty world.
  * out: receives the world; destroy it with kerf_world_destroy. O(1). */
@@ -185,39 +221,66 @@ typedef struct kerf_keyframe {
   double direction[3]; /* of any non-zero length, not opposite to the direction of the previous keyframe */
 } kerf_keyframe;
 
+typedef enum kerf_rim { KERF_RIM_FACES = 0, KERF_RIM_SMOOTH = 1 } kerf_rim;
+typedef enum kerf_scheme { KERF_SCHEME_LONGEST_EDGE = 0, KERF_SCHEME_ONE_TO_FOUR = 1 } kerf_scheme;
+typedef enum kerf_model { KERF_MODEL_GEOMETRIC = 0, KERF_MODEL_THERMAL = 1 } kerf_model;
+typedef enum kerf_assist { KERF_ASSIST_NONE = 0, KERF_ASSIST_OXYGEN = 1 } kerf_assist;
+/* The member of kerf_cut_settings that sets the resolution under the beam. */
+typedef enum kerf_resolution {
+  KERF_RESOLUTION_DEFAULT = 0, /* none: edges of a quarter of the radius, of the radius if thermal */
+  KERF_RESOLUTION_EDGE = 1,    /* target_edge */
+  KERF_RESOLUTION_TOLERANCE = 2,
+  KERF_RESOLUTION_LEVEL = 3 /* max_level */
+} kerf_resolution;
+
 /* A stroke of the laser: between keyframes the origin moves along a straight line and the direction along
  * the shorter arc. With one keyframe the beam stands still. */
 typedef struct kerf_stroke {
+  size_t size;
   const kerf_keyframe* keys;
   size_t key_count; /* at least 1 */
   double radius;    /* m; 0: 1/400 of the diagonal of the bounding box of all meshes as they were added */
   double range[2];  /* m along the beam, 0 <= min <= max; both 0: from 0 to ten diagonals */
-  double power;     /* W, for the thermal model; 0: 2000 */
+  /* Of the thermal model; the geometric model ignores them. */
+  double power;       /* W, >= 0 */
+  double wavelength;  /* m; 0: that of the usual laser for the material */
+  double focus;       /* m along the beam to its waist, > 0; INFINITY: the radius is constant */
+  double pulse_rate;  /* Hz; 0: a continuous beam */
+  double duty;        /* share of each pulse period with the beam on, 0 < duty <= 1 */
+  kerf_assist assist; /* gas */
+  int reserved;       /* 0 */
 } kerf_stroke;
+#define KERF_STROKE_INIT \
+  { sizeof(kerf_stroke), NULL, 0, 0, {0, 0}, 2000, 0, HUGE_VAL, 0, 1, KERF_ASSIST_NONE, 0 }
 
-typedef enum kerf_rim { KERF_RIM_FACES = 0, KERF_RIM_SMOOTH = 1 } kerf_rim;
-typedef enum kerf_scheme { KERF_SCHEME_LONGEST_EDGE = 0, KERF_SCHEME_ONE_TO_FOUR = 1 } kerf_scheme;
-typedef enum kerf_model { KERF_MODEL_GEOMETRIC = 0, KERF_MODEL_THERMAL = 1 } kerf_model;
-
-/* Settings of a cut. All zero, or a null pointer instead, equals `kerf cut` without options. */
+/* Settings of a cut. The defaults, or a null pointer instead, equal `kerf cut` without options. */
 typedef struct kerf_cut_settings {
+  size_t size;
   kerf_rim rim;       /* FACES removes every face the beam touches; SMOOTH cuts faces along the beam */
   kerf_scheme scheme; /* subdivision of faces */
   kerf_model model;   /* GEOMETRIC removes faces at once; THERMAL when they have absorbed enough energy */
-  /* Resolution under the beam. Set at most one of the three, 0 for the others; all 0: edges of a quarter of
-   * the radius. */
-  double target_edge;   /* longest edge [m] */
-  double tolerance;     /* overshoot of the removed area beyond the beam [m] */
-  int max_level;        /* maximum refinement level, 1 to 24; -1: no refinement */
-  const char* material; /* new material of all bodies, a name from `kerf materials`; null: unchanged */
+  kerf_resolution resolution; /* which of the next three members is used */
+  double target_edge;         /* longest edge [m], > 0 */
+  double tolerance;           /* overshoot of the removed area beyond the beam [m], > 0 */
+  int max_level;              /* maximum refinement level, 0 to 24; 0: no refinement */
+  int reserved;               /* 0 */
+  const char* material;       /* new material of all bodies, a name from `kerf materials`; null: unchanged */
 } kerf_cut_settings;
+#define KERF_CUT_SETTINGS_INIT                                                                 \
+  {                                                                                            \
+    sizeof(kerf_cut_settings), KERF_RIM_FACES, KERF_SCHEME_LONGEST_EDGE, KERF_MODEL_GEOMETRIC, \
+        KERF_RESOLUTION_DEFAULT, 0, 0, 0, 0, NULL                                              \
+  }
 
 /* Results of a cut. */
 typedef struct kerf_cut_result {
+  size_t size;
   size_t removed_faces;
   double removed_area; /* m^2 */
   double seconds;      /* duration */
 } kerf_cut_result;
+#define KERF_CUT_RESULT_INIT \
+  { sizeof(kerf_cut_result), 0, 0, 0 }
 
 /* Cuts all bodies with strokes, in order, all or nothing.
  * strokes: stroke_count strokes; may be null if there is none.
@@ -230,6 +293,65 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);
 
+/* Strokes in steps
+ *
+ * A stroke that is cut while the program draws frames: kerf_stroke_begin, kerf_stroke_add_pose as the beam
+ * moves, kerf_stroke_step in each frame, kerf_stroke_end, and steps until the stroke is finished. However the
+ * work is divided, the result equals that of kerf_world_cut for the same stroke, to the bit. Between steps
+ * the world can be read: faces are removed already, pieces have their final labels when the stroke is
+ * finished, and a solid is closed by then. Calls that change the world otherwise fail with KERF_BUSY until
+ * the stroke is finished or cancelled.
+ * ------------------------------------------------------------------------------------------------------ */
+
+/* Begins a stroke. Executes nothing yet.
+ * stroke: its keys are the known part of the path, at least one.
+ * settings: may be null.
+ * Errors: those of kerf_world_cut; KERF_BUSY if another stroke is not finished. O(keys). */
+KERF_API kerf_result kerf_stroke_begin(kerf_world* world, const kerf_stroke* stroke,
+                                       const kerf_cut_settings* settings);
+
+/* Appends a pose to the path of the stroke. Executes nothing yet.
+ * key: as in kerf_stroke; its time counts from the same zero as those before it.
+ * Errors: KERF_INVALID_ARGUMENT for an invalid key, or if there is no stroke or it was ended. O(1). */
+KERF_API kerf_result kerf_stroke_add_pose(kerf_world* world, const kerf_keyframe* key);
+
+/* Ends the path of the stroke: switches the beam off. The rest of the work, with the rim and the walls of
+ * solids, remains for kerf_stroke_step.
+ * Errors: KERF_INVALID_ARGUMENT if there is no stroke or it was ended. O(1). */
+KERF_API kerf_result kerf_stroke_end(kerf_world* world);
+
+/* Progress of a stroke. */
+typedef struct kerf_stroke_progress {
+  size_t size;
+  int is_idle;          /* 1 if all work known so far is done: add a pose or end the stroke */
+  int is_finished;      /* 1 if the stroke was ended and all of it is done; the stroke no longer exists */
+  size_t waiting;       /* number of parts of moves to execute, an estimate */
+  size_t faces;         /* created and removed in this step */
+  size_t removed_faces; /* since the begin of the stroke */
+  double removed_area;  /* m^2, likewise */
+  double seconds;       /* duration of this step */
+} kerf_stroke_progress;
+#define KERF_STROKE_PROGRESS_INIT \
+  { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0 }
+
+/* Executes a part of the stroke: at least one unit of work, and more until a budget is used up. A unit is a
+ * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.3 ms.
+ * max_faces: target for the number of faces created and removed; SIZE_MAX: no limit.
+ * max_seconds: target for the duration [s], >= 0; INFINITY: no limit.
+ * progress: receives the progress; may be null.
+ * Errors: KERF_INVALID_ARGUMENT for an invalid number, or if there is no stroke; KERF_FAILED if the cut would
+ * exceed the maximum number of faces: the stroke is then cancelled. */
+KERF_API kerf_result kerf_stroke_step(kerf_world* world, size_t max_faces, double max_seconds,
+                                      kerf_stroke_progress* progress);
+
+/* Cancels the stroke: restores the world as it was before kerf_stroke_begin, to the bit. Walls that a step
+ * left incomplete are finished first.
+ * Errors: KERF_INVALID_ARGUMENT if there is no stroke. Cost: proportional to what the stroke changed. */
+KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
+
+/* Pieces and surfaces
+ * ------------------------------------------------------------------------------------------------------ */
+
 /* Returns the pieces of all bodies as meshes in world coordinates, largest area first.
  * options: may be null.
  * out: receives an array of *count meshes; free it with kerf_pieces_free. To keep a mesh, set its entry to
@@ -241,37 +363,54 @@ KERF_API kerf_result kerf_world_pieces(const kerf_world* world, const kerf_call_
 /* Frees an array of pieces and its meshes. No-op if `pieces` is null. */
 KERF_API void kerf_pieces_free(kerf_mesh** pieces, size_t count);
 
+/* Points of visible surfaces: `count` entries in each array, of 3 numbers for vectors. Free them with
+ * kerf_hits_free. */
+typedef struct kerf_hits {
+  size_t size;
+  void* owner; /* internal */
+  size_t count;
+  size_t offset_count;        /* n + 1 for kerf_world_all_hits, else 0 */
+  const size_t* offsets;      /* entries offsets[i] to offsets[i + 1] - 1 belong to ray i */
+  const double* distances;    /* from the origin of the ray, or the point [m]; infinity on a miss */
+  const kerf_body* bodies;    /* KERF_NO_BODY on a miss */
+  const uint32_t* faces;      /* KERF_NO_FACE on a miss; the other members are 0 then */
+  const uint32_t* pieces;     /* labels in the body */
+  const double* barycentrics; /* of the point in the face, one per corner; corners as in kerf_body_faces */
+  const double* positions;    /* of the point in the world [m] */
+  const double* normals;      /* of the face in the world, unit length, outward; 0 if its area is 0 */
+  const uint16_t* materials;  /* index of the material of the mesh */
+  const uint8_t* is_cut;      /* 1 for a wall that a cut made in a solid */
+} kerf_hits;
+#define KERF_HITS_INIT \
+  { sizeof(kerf_hits), NULL, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
+
 /* Finds the first surface that each of n rays crosses.
  * origins, directions: n vectors each; finite, directions of any non-zero length.
  * range: minimum and maximum distance (m); null: 0 to infinity.
  * options: may be null.
- * distances: receives n distances (m), infinity on a miss; may be null.
- * bodies: receives n body indices in the order of adding, 2^32 - 1 on a miss; may be null.
- * faces: receives n face indices in those bodies, 2^32 - 1 on a miss; may be null.
- * Errors: KERF_INVALID_ARGUMENT for a vector or range that violates the above. About 0.3 us per ray. */
+ * out: its size is set; receives n entries.
+ * Errors: KERF_INVALID_ARGUMENT for a vector or range that violates the above. About 0.4 us per ray. */
 KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins,
                                              const double* directions, size_t n, const double range[2],
-                                             const kerf_call_options* options, double* distances,
-                                             uint32_t* bodies, uint32_t* faces);
+                                             const kerf_call_options* options, kerf_hits* out);
 
-/* Crossings of n rays. Entries offsets[i] to offsets[i + 1] - 1 belong to ray i, nearest first. */
-typedef struct kerf_hits {
-  size_t count;
-  const size_t* offsets;   /* n + 1 */
-  const double* distances; /* count each; as in kerf_world_nearest_hits */
-  const uint32_t* bodies;
-  const uint32_t* faces;
-  void* owner; /* internal */
-} kerf_hits;
-
-/* Finds all surfaces that each of n rays crosses. Other arguments, errors and cost per crossing are those of
- * kerf_world_nearest_hits.
- * out: receives the hits; free them with kerf_hits_free. */
+/* Finds all surfaces that each of n rays crosses, nearest first. Arguments, errors and cost per crossing are
+ * those of kerf_world_nearest_hits. */
 KERF_API kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins,
                                          const double* directions, size_t n, const double range[2],
                                          const kerf_call_options* options, kerf_hits* out);
 
-/* Frees hits and resets `hits` to zero. No-op if `hits` is null. */
+/* Finds the point of all surfaces nearest to each of n points.
+ * points: n positions in the world (m), finite.
+ * max_distance: m, >= 0; INFINITY: no limit.
+ * options: may be null.
+ * out: its size is set; receives n entries, misses beyond max_distance.
+ * Errors: KERF_INVALID_ARGUMENT for a number that violates the above. About 2 us per point and body. */
+KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const double* points, size_t n,
+                                               double max_distance, const kerf_call_options* options,
+                                               kerf_hits* out);
+
+/* Frees hits and resets all members but the size. No-op if `hits` is null or was never filled. */
 KERF_API void kerf_hits_free(kerf_hits* hits);
 
 /* Writes the bodies with their poses as a scene that the editor opens: one OBJ file per body and

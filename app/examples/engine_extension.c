@@ -69,13 +69,15 @@ static int give_surface(const kerf_mesh* piece, const double centre[3], surface*
 /* Cuts a mesh with one stroke, as a worker thread of the engine would. Returns null with *count = 0 on
  * failure. */
 static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t* count) {
-  const kerf_cut_settings settings = {.rim = KERF_RIM_SMOOTH};
-  const kerf_call_options one_thread = {.threads = 1}; /* the engine needs the other cores */
+  kerf_cut_settings settings = KERF_CUT_SETTINGS_INIT;
+  kerf_call_options one_thread = KERF_CALL_OPTIONS_INIT;
   kerf_world* world = NULL;
   kerf_mesh** pieces = NULL;
   rigid_body* bodies = NULL;
   size_t made = 0;
   *count = 0;
+  settings.rim = KERF_RIM_SMOOTH;
+  one_thread.threads = 1; /* the engine needs the other cores */
   if (kerf_world_create(&world) != KERF_OK || kerf_world_add(world, mesh, "mesh", &one_thread) != KERF_OK ||
       kerf_world_cut(world, stroke, 1, &settings, &one_thread, NULL) != KERF_OK ||
       kerf_world_pieces(world, &one_thread, &pieces, &made) != KERF_OK) {
@@ -83,7 +85,7 @@ static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t*
   } else if ((bodies = calloc(made, sizeof *bodies)) != NULL) {
     for (*count = 0; *count < made; ++*count) {
       rigid_body* body = bodies + *count;
-      kerf_mesh_info info;
+      kerf_mesh_info info = KERF_MESH_INFO_INIT;
       kerf_mesh_get_info(pieces[*count], &info);
       body->mass = info.mass;
       for (int k = 0; k < 3; ++k) body->centre[k] = info.centroid[k];
@@ -103,8 +105,12 @@ int main(void) {
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5,
                             1, 6, 2, 1, 5, 6, 2, 7, 3, 2, 6, 7, 3, 4, 0, 3, 7, 4};
   const kerf_keyframe keys[] = {{0, {0.2, 3, -2}, {0, -1, 0}}, {1, {0.2, 3, 2}, {0, -1, 0}}};
-  const kerf_stroke stroke = {keys, 2, 0.01, {0, 10}, 0};
+  kerf_stroke stroke = KERF_STROKE_INIT;
   kerf_mesh* box = NULL;
+  stroke.keys = keys;
+  stroke.key_count = 2;
+  stroke.radius = 0.01;
+  stroke.range[1] = 10;
   if (take_mesh(vertices, 8, faces, 12, &box) != KERF_OK) {
     fprintf(stderr, "engine_extension: %s\n", kerf_last_error());
     return 1;

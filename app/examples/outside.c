@@ -11,11 +11,15 @@ int main(void) {
   const double vertices[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
   const kerf_keyframe keys[] = {{0, {0.5, -1, 1}, {0, 0, -1}}, {1, {0.5, 2, 1}, {0, 0, -1}}};
-  const kerf_stroke stroke = {keys, 2, 0.01, {0, 10}, 0};
+  kerf_stroke stroke = KERF_STROKE_INIT;
   kerf_mesh* square = NULL;
   kerf_world* world = NULL;
   kerf_mesh** pieces = NULL;
   size_t count = 0;
+  stroke.keys = keys;
+  stroke.key_count = 2;
+  stroke.radius = 0.01;
+  stroke.range[1] = 10;
   int bad = ended(kerf_mesh_create(vertices, 4, faces, 2, &square)) || ended(kerf_world_create(&world)) ||
             ended(kerf_world_add(world, square, "square", NULL)) ||
             ended(kerf_world_cut(world, &stroke, 1, NULL, NULL, NULL)) ||

@@ -94,7 +94,9 @@ void set_range(kerf::Stroke& stroke, const py::object& object) {
   stroke.range = object.is_none() ? std::array<double, 2>{} : range_argument(object);
 }
 void set_power(kerf::Stroke& stroke, const py::object& object) {
-  stroke.power = object.is_none() ? 0 : positive_argument(object, "power", "watts");
+  const double power = number_argument(object, "power");
+  if (!(power >= 0)) throw py::value_error("power: must be a number of watts, at least 0");
+  stroke.power = power;
 }
 
 kerf::Stroke make_stroke(const py::object& keys, const py::object& radius, const py::object& range,
@@ -126,8 +128,7 @@ py::list keys_of(const kerf::Stroke& stroke) {
 }
 
 py::tuple state_of(const kerf::Stroke& stroke) {
-  return py::make_tuple(keys_of(stroke), number_or_none(stroke.radius), range_of(stroke),
-                        number_or_none(stroke.power));
+  return py::make_tuple(keys_of(stroke), number_or_none(stroke.radius), range_of(stroke), stroke.power);
 }
 
 // Returns an expression that creates the stroke.
@@ -135,9 +136,11 @@ std::string text_of(const kerf::Stroke& stroke) {
   const py::tuple state = state_of(stroke);
   std::string text = "kerf.Stroke(" + py::repr(state[0]).cast<std::string>();
   const char* const names[] = {"keys", "radius", "range", "power"};
+  const py::object defaults[] = {py::none(), py::none(), py::none(), py::float_(kerf::Stroke().power)};
   for (size_t i = 1; i < state.size(); ++i) {
     const py::object value = state[i];
-    if (!value.is_none()) text += ", " + std::string(names[i]) + "=" + py::repr(value).cast<std::string>();
+    if (!value.equal(defaults[i]))
+      text += ", " + std::string(names[i]) + "=" + py::repr(value).cast<std::string>();
   }
   return text + ")";
 }
@@ -169,7 +172,7 @@ py::dict cut(kerf::World& world, const py::object& strokes, const py::object& ta
       settings_of(target_edge, tolerance, max_level, rim, scheme, model, material);
   const kerf::CallOptions options =
       options_argument(progress, static_cast<unsigned>(int_argument(threads, "threads")));
-  kerf::CutResult result{};
+  kerf::CutResult result = KERF_CUT_RESULT_INIT;
   {
     const py::gil_scoped_release unlocked;
     result = world.cut(list, settings, options);
@@ -183,12 +186,12 @@ py::dict cut(kerf::World& world, const py::object& strokes, const py::object& ta
 
 // Crossings of rays as NumPy arrays.
 struct HitArrays {
-  py::array offsets, distance, body, face;
+  py::array offsets, distance, body, face, piece;
 };
 
 HitArrays arrays_of(const kerf::Hits& hits) {
   return {array_copy(hits.offsets), array_copy(hits.distances), array_copy(hits.bodies),
-          array_copy(hits.faces)};
+          array_copy(hits.faces), array_copy(hits.pieces)};
 }
 
 template <typename Trace>
@@ -325,11 +328,11 @@ void add_mesh(py::module_& m) {
 void add_stroke(py::module_& m) {
   py::class_<kerf::Stroke>(m, "Stroke", "A stroke of the laser.")
       .def(py::init(&make_stroke), py::arg("keys"), py::arg("radius") = py::none(),
-           py::arg("range") = py::none(), py::arg("power") = py::none(),
+           py::arg("range") = py::none(), py::arg("power") = kerf::Stroke().power,
            "keys: poses of the beam, (time in s, origin in m, direction of any non-zero length) each.\n"
            "radius: metres, > 0; None: 1/400 of the diagonal of the world.\n"
            "range: (min, max) along the beam in metres; None: from 0 to ten diagonals.\n"
-           "power: watts, > 0, for the thermal model; None: 2000.\n\n"
+           "power: watts, >= 0, for the thermal model.\n\n"
            "Raises TypeError for an argument of another type and ValueError for a number out of range. "
            "World.cut checks the keys.")
       .def_property(
@@ -342,8 +345,8 @@ void add_stroke(py::module_& m) {
       .def_property("range", &range_of, &set_range,
                     "(min, max) along the beam in metres; None: from 0 to ten diagonals.")
       .def_property(
-          "power", [](const kerf::Stroke& stroke) { return number_or_none(stroke.power); }, &set_power,
-          "Watts, > 0, for the thermal model; None: 2000.")
+          "power", [](const kerf::Stroke& stroke) { return stroke.power; }, &set_power,
+          "Watts, >= 0, for the thermal model.")
       .def("__eq__",
            [](const kerf::Stroke& stroke, const py::object& other) {
              return py::isinstance<kerf::Stroke>(other) &&
@@ -361,16 +364,16 @@ void add_world(py::module_& m) {
                     "all_hits: uint64 of shape (k + 1,); hits of ray i are offsets[i] to offsets[i + 1] - 1. "
                     "nearest_hits: empty.")
       .def_readonly("distance", &HitArrays::distance, "float64 of shape (n,), metres; inf on a miss.")
-      .def_readonly("body", &HitArrays::body,
-                    "uint32 of shape (n,), in the order of adding; 2^32 - 1 on a miss.")
+      .def_readonly("body", &HitArrays::body, "uint64 of shape (n,), ids of bodies; 2^64 - 1 on a miss.")
       .def_readonly("face", &HitArrays::face,
                     "uint32 of shape (n,), face indices in their bodies; 2^32 - 1 on a miss.")
+      .def_readonly("piece", &HitArrays::piece, "uint32 of shape (n,), labels of pieces in their bodies.")
       .def(py::pickle(
           [](const HitArrays& hits) {
-            return py::make_tuple(hits.offsets, hits.distance, hits.body, hits.face);
+            return py::make_tuple(hits.offsets, hits.distance, hits.body, hits.face, hits.piece);
           },
           [](const py::tuple& state) {
-            return HitArrays{state[0], state[1], state[2], state[3]};
+            return HitArrays{state[0], state[1], state[2], state[3], state[4]};
           }))
       .def("__repr__", [](const HitArrays& hits) {
         return "<kerf.Hits, " + std::to_string(hits.distance.size()) + " distances>";

@@ -25,6 +25,19 @@ bool are_finite(const double* numbers, size_t count) {
   return true;
 }
 
+// Returns the integer value of an enumeration field; C callers may store any integer in it.
+template <typename Enum>
+int number_in(const Enum& field) {
+  static_assert(sizeof(Enum) == sizeof(int));
+  int number = 0;
+  std::memcpy(&number, &field, sizeof number);
+  return number;
+}
+
+bool is_either(int number, int first, int second) { return number == first || number == second; }
+
+}  // namespace
+
 Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& path) {
   if (!are_finite(&key.time, 1) || !are_finite(key.origin, 3) || !are_finite(key.direction, 3))
     return bad_input(where + ": its numbers must be finite");
@@ -41,6 +54,29 @@ Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& p
   return Done{};
 }
 
+namespace {
+
+Status check_laser(const kerf_stroke& stroke, const std::string& where) {
+  const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
+  if (!is_not_negative(stroke.radius))
+    return bad_input(where + ": the radius must be a length in metres, or 0");
+  if (!is_not_negative(stroke.range[0]) || !is_not_negative(stroke.range[1]) ||
+      stroke.range[1] < stroke.range[0])
+    return bad_input(where + ": the range must be two lengths in metres, 0 <= min <= max");
+  if (!is_not_negative(stroke.power)) return bad_input(where + ": the power must be a number of watts");
+  if (!is_not_negative(stroke.wavelength))
+    return bad_input(where + ": the wavelength must be a length in metres, or 0");
+  if (!(stroke.focus > 0))
+    return bad_input(where + ": the focus must be a length in metres greater than zero, or infinity");
+  if (!is_not_negative(stroke.pulse_rate))
+    return bad_input(where + ": the pulse rate must be a number of Hz");
+  if (!(stroke.duty > 0 && stroke.duty <= 1))
+    return bad_input(where + ": the duty must be greater than 0 and at most 1");
+  if (!is_either(number_in(stroke.assist), KERF_ASSIST_NONE, KERF_ASSIST_OXYGEN))
+    return bad_input(where + ": the assist gas must be none or oxygen");
+  return Done{};
+}
+
 Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
   const std::string where = "strokes: number " + std::to_string(number);
   if (stroke.keys == nullptr || stroke.key_count == 0) return bad_input(where + " has no key");
@@ -49,38 +85,28 @@ Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
     const Status added = add_key(stroke.keys[i], where + ", key " + std::to_string(i), path);
     if (!added) return added.error();
   }
-  if (!are_finite(&stroke.radius, 1) || stroke.radius < 0)
-    return bad_input(where + ": the radius must be a length in metres, or 0");
-  if (!are_finite(stroke.range, 2) || stroke.range[0] < 0 || stroke.range[1] < stroke.range[0])
-    return bad_input(where + ": the range must be two lengths in metres, 0 <= min <= max");
-  if (!are_finite(&stroke.power, 1) || stroke.power < 0)
-    return bad_input(where + ": the power must be a number of watts, or 0");
+  if (const Status valid = check_laser(stroke, where); !valid) return valid.error();
   if (stroke.radius > 0) path.radius = stroke.radius;
   if (stroke.range[1] > 0) path.range = Interval{stroke.range[0], stroke.range[1]};
-  if (stroke.power > 0) path.power = stroke.power;
+  path.power = positive(stroke.power);  // which a journal can store
+  path.wavelength = stroke.wavelength;
+  if (std::isfinite(stroke.focus)) path.focus = stroke.focus;
+  path.pulse_rate = stroke.pulse_rate;
+  path.duty = stroke.duty;
   return path;
 }
 
-// Returns the integer value of an enumeration field; C callers may store any integer in it.
-template <typename Enum>
-int number_in(const Enum& field) {
-  static_assert(sizeof(Enum) == sizeof(int));
-  int number = 0;
-  std::memcpy(&number, &field, sizeof number);
-  return number;
-}
-
-bool is_either(int number, int first, int second) { return number == first || number == second; }
-
 Status check(const kerf_cut_settings& s) {
-  const auto is_length = [](double x) { return std::isfinite(x) && x >= 0; };
-  if (!is_length(s.target_edge))
+  const auto is_length = [](double x) { return std::isfinite(x) && x > 0; };
+  const int rule = number_in(s.resolution);
+  if (rule < KERF_RESOLUTION_DEFAULT || rule > KERF_RESOLUTION_LEVEL)
+    return bad_input("resolution: must be default, edge, tolerance or level");
+  if (rule == KERF_RESOLUTION_EDGE && !is_length(s.target_edge))
     return bad_input("target_edge: must be a length in metres greater than zero");
-  if (!is_length(s.tolerance)) return bad_input("tolerance: must be a length in metres greater than zero");
-  if (s.max_level < -1 || s.max_level > Resolution::kMaxDepth)
+  if (rule == KERF_RESOLUTION_TOLERANCE && !is_length(s.tolerance))
+    return bad_input("tolerance: must be a length in metres greater than zero");
+  if (rule == KERF_RESOLUTION_LEVEL && (s.max_level < 0 || s.max_level > Resolution::kMaxDepth))
     return bad_input("max_level: must be from 0 to " + std::to_string(Resolution::kMaxDepth));
-  if ((s.target_edge > 0) + (s.tolerance > 0) + (s.max_level != 0) > 1)
-    return bad_input("target_edge, tolerance and max_level: set only one of them");
   if (!is_either(number_in(s.rim), KERF_RIM_FACES, KERF_RIM_SMOOTH))
     return bad_input("rim: must be faces or smooth");
   if (!is_either(number_in(s.scheme), KERF_SCHEME_LONGEST_EDGE, KERF_SCHEME_ONE_TO_FOUR))
@@ -90,8 +116,10 @@ Status check(const kerf_cut_settings& s) {
   return Done{};
 }
 
-CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, double diagonal) {
+CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, kerf_assist assist,
+                        double diagonal) {
   CutSettings settings = default_settings(stroke, diagonal);
+  if (assist == KERF_ASSIST_OXYGEN) settings.laser.assist = Assist::kOxygen;
   if (s.model == KERF_MODEL_THERMAL) settings.model = Model::kThermal;
   Resolution& resolution = settings.resolution;
   resolution.rim = s.rim == KERF_RIM_SMOOTH ? Rim::kSmooth : Rim::kFaces;
@@ -99,11 +127,21 @@ CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, do
   const double radius = settings.laser.radius;
   resolution.target_edge = settings.model == Model::kThermal ? radius : radius / 4;
   resolution.tolerance = radius / 8;
-  if (s.target_edge > 0) resolution.target_edge = s.target_edge;
-  if (s.tolerance > 0) resolution.tolerance = s.tolerance;
-  if (s.tolerance > 0) resolution.rule = Resolution::Rule::kTolerance;
-  if (s.max_level != 0) resolution.depth = std::max(s.max_level, 0);
-  if (s.max_level != 0) resolution.rule = Resolution::Rule::kDepth;
+  switch (s.resolution) {
+    case KERF_RESOLUTION_DEFAULT:
+      break;
+    case KERF_RESOLUTION_EDGE:
+      resolution.target_edge = s.target_edge;
+      break;
+    case KERF_RESOLUTION_TOLERANCE:
+      resolution.tolerance = s.tolerance;
+      resolution.rule = Resolution::Rule::kTolerance;
+      break;
+    case KERF_RESOLUTION_LEVEL:
+      resolution.depth = s.max_level;
+      resolution.rule = Resolution::Rule::kDepth;
+      break;
+  }
   return settings;
 }
 
@@ -147,19 +185,45 @@ Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   return Done{};
 }
 
-// Returns the commands of each stroke.
-Result<std::vector<std::vector<Command>>> commands_of(std::span<const kerf_stroke> strokes,
-                                                      const kerf_cut_settings& settings, double diagonal) {
-  std::vector<std::vector<Command>> commands;
-  for (size_t i = 0; i < strokes.size(); ++i) {
-    const auto path = path_of(strokes[i], i);
+}  // namespace
+
+Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, const kerf_stroke* strokes,
+                                                       size_t count, const kerf_cut_settings& settings) {
+  if (!world.bounds && count > 0) return bad_input("the world has no mesh; add one before a cut");
+  const double diagonal = world.bounds ? world.bounds->diagonal() : 0;
+  std::vector<StrokeCommands> all;
+  const auto* next = reinterpret_cast<const std::byte*>(strokes);
+  for (size_t i = 0; i < count; ++i) {
+    const auto* given = reinterpret_cast<const kerf_stroke*>(next);
+    const auto stroke = read_struct(given, KERF_STROKE_INIT, "strokes");
+    if (!stroke) return stroke.error();
+    next += given->size;
+    auto path = path_of(*stroke, i);
     if (!path) return path.error();
-    const CutSettings own = settings_of(settings, *path, diagonal);
+    const CutSettings own = settings_of(settings, *path, stroke->assist, diagonal);
     if (const Status usable = check_usable(own, i, diagonal); !usable) return usable.error();
-    commands.push_back(stroke_commands(*path, own));
+    std::vector<Command> commands = stroke_commands(*path, own);
+    all.push_back({std::move(*path), std::move(commands)});
   }
-  return commands;
+  return all;
 }
+
+Result<kerf_cut_settings> read_settings(const kerf_cut_settings* given) {
+  auto settings = read_struct(given, KERF_CUT_SETTINGS_INIT, "settings");
+  if (!settings) return settings;
+  if (const Status valid = check(*settings); !valid) return valid.error();
+  return settings;
+}
+
+void begin_job(kerf_world& world, const Command& first) {
+  if (world.settings.is_null()) {
+    world.job.input_min_angle = smallest_angle(world.document.world());
+    world.settings = settings_json(std::get<BeginStroke>(first).settings, "", false);
+  }
+  world.job.thermal |= std::get<BeginStroke>(first).settings.model == Model::kThermal;
+}
+
+namespace {
 
 Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress, CutJob& job) {
   using Clock = std::chrono::steady_clock;
@@ -183,14 +247,14 @@ Status cut_one(Document& document, std::span<const Command> stroke, const Progre
 }
 
 // Executes all strokes or none.
-Status cut_each(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
+Status cut_each(Document& document, std::span<const StrokeCommands> strokes, const Progress& progress,
                 CutJob& job) {
   const size_t position = document.history().position();
   const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
   for (size_t i = 0; i < strokes.size(); ++i) {
     const double done = share * static_cast<double>(i);
     const Progress own = share_of(&progress, done, std::min(1.0, done + share));
-    const Status cut = cut_one(document, strokes[i], own, job);
+    const Status cut = cut_one(document, strokes[i].commands, own, job);
     if (cut) continue;
     const Outcome back = document.travel(position);
     return back.ok() ? cut : back.error();
@@ -199,7 +263,7 @@ Status cut_each(Document& document, std::span<const std::vector<Command>> stroke
 }
 
 // Executes all strokes or none, and keeps before-images for as long as they may be needed.
-Status cut_all(Document& document, std::span<const std::vector<Command>> strokes, const Progress& progress,
+Status cut_all(Document& document, std::span<const StrokeCommands> strokes, const Progress& progress,
                CutJob& job) {
   document.set_window(std::numeric_limits<size_t>::max());
   document.set_face_budget(usual_face_budget(machine_memory()));
@@ -208,46 +272,43 @@ Status cut_all(Document& document, std::span<const std::vector<Command>> strokes
   return done;
 }
 
-// Returns the job, with the properties of the input filled in before its first cut.
-CutJob begun(const kerf_world& world, const kerf_cut_settings& settings) {
-  CutJob job = world.job;
-  if (world.settings.is_null()) job.input_min_angle = smallest_angle(world.document.world());
-  job.thermal = job.thermal || settings.model == KERF_MODEL_THERMAL;
-  return job;
-}
-
-nlohmann::ordered_json settings_of_first(const std::vector<std::vector<Command>>& commands) {
-  for (const std::vector<Command>& stroke : commands) {
-    if (const auto* begin = std::get_if<BeginStroke>(&stroke.front()))
-      return settings_json(begin->settings, "", false);
-  }
-  return nullptr;
-}
-
-Status cut(kerf_world& world, std::span<const kerf_stroke> strokes, const kerf_cut_settings& settings,
-           const Progress& progress, CutJob& job) {
-  if (const Status valid = check(settings); !valid) return valid;
+Status cut(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
+           const Progress& progress) {
   Document& document = world.document;
-  if (!world.bounds && !strokes.empty()) return bad_input("the world has no mesh; add one before a cut");
-  const double diagonal = world.bounds ? world.bounds->diagonal() : 0;
-  const auto commands = commands_of(strokes, settings, diagonal);
-  if (!commands) return commands.error();
-  job = begun(world, settings);
   std::optional<Document> other;
   std::optional<Substance> substance;
-  if (settings.material != nullptr) {
-    const auto named = substance_named(settings.material);
+  if (material != nullptr) {
+    const auto named = substance_named(material);
     if (!named) return named.error();
     if (!has_substance(document.world(), *named)) substance = *named;
     if (substance) other = of_material(document, *substance);
   }
-  if (const Status done = cut_all(other ? *other : document, *commands, progress, job); !done) return done;
-  if (world.settings.is_null()) world.settings = settings_of_first(*commands);
+  if (!strokes.empty()) begin_job(world, strokes.front().commands.front());
+  if (const Status done = cut_all(other ? *other : document, strokes, progress, world.job); !done)
+    return done;
   if (!other) return Done{};
   if (!document.journal().empty()) world.initial_state.mark_unrecorded();
   world.initial_state.set_substance(*substance);
   document = std::move(*other);
   return Done{};
+}
+
+// Executes all strokes or none. Returns the results, without the time.
+Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_t count,
+                            const kerf_cut_settings* given, const Progress& progress) {
+  const auto settings = read_settings(given);
+  if (!settings) return settings.error();
+  const auto commands = stroke_commands_of(world, strokes, count, *settings);
+  if (!commands) return commands.error();
+  const CutJob before = world.job;
+  const nlohmann::ordered_json settings_before = world.settings;
+  const Status done = cut(world, *commands, settings->material, progress);
+  if (done)
+    return kerf_cut_result{0, world.job.removed_faces - before.removed_faces,
+                           world.job.removed_area - before.removed_area, 0};
+  world.job = before;
+  world.settings = settings_before;
+  return done.error();
 }
 
 }  // namespace
@@ -259,20 +320,14 @@ kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t
   if (strokes == nullptr && stroke_count > 0)
     return kerf::set_error(KERF_INVALID_ARGUMENT, "strokes: must not be null");
   const auto begin = std::chrono::steady_clock::now();
-  kerf_cut_result done{};
-  const kerf_result how =
-      kerf::change_world(world, options, [&](const kerf::Progress& progress) -> kerf::Status {
-        kerf::CutJob job;
-        const kerf::Status cut =
-            kerf::cut(*world, {strokes, stroke_count}, settings == nullptr ? kerf_cut_settings{} : *settings,
-                      progress, job);
-        if (!cut) return cut;
-        done = {job.removed_faces - world->job.removed_faces, job.removed_area - world->job.removed_area, 0};
-        world->job = std::move(job);
-        return cut;
-      });
-  if (how != KERF_OK || result == nullptr) return how;
-  *result = done;
-  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return how;
+  return kerf::change_world(world, options, [&](const kerf::Progress& progress) -> kerf::Status {
+    if (result != nullptr) {
+      if (const kerf::Status valid = kerf::check_size(*result, "result"); !valid) return valid;
+    }
+    kerf::Result<kerf_cut_result> done = kerf::cut(*world, strokes, stroke_count, settings, progress);
+    if (!done) return done.error();
+    done->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (result != nullptr) kerf::write_struct(*done, *result);
+    return kerf::Done{};
+  });
 }

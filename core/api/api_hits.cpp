@@ -10,7 +10,18 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kRaysPerBatch = 1024;
+constexpr size_t kQueriesPerBatch = 1024;
+
+// Vectors as given by the caller.
+Vec3 vector(const double* of, size_t i) { return {of[3 * i], of[3 * i + 1], of[3 * i + 2]}; }
+
+Status check_finite(const double* vectors, size_t n, const char* name) {
+  for (size_t i = 0; i < n; ++i) {
+    if (!is_finite(vector(vectors, i)))
+      return bad_input(name + ("[" + std::to_string(i)) + "] is not finite");
+  }
+  return Done{};
+}
 
 // Rays as given by the caller.
 struct Rays {
@@ -18,7 +29,6 @@ struct Rays {
   size_t count;
   Interval range;
 
-  Vec3 vector(const double* of, size_t i) const { return {of[3 * i], of[3 * i + 1], of[3 * i + 2]}; }
   Pose pose(size_t i) const { return {vector(origins, i), beam_direction(vector(directions, i))}; }
 };
 
@@ -31,31 +41,30 @@ Result<Rays> rays_of(const double* origins, const double* directions, size_t n, 
       return bad_input("range: must be two lengths in metres, 0 <= min <= max");
     rays.range = {range[0], std::min(range[1], std::numeric_limits<double>::max())};
   }
-  const auto is_finite = [](const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
+  if (const Status finite = check_finite(origins, n, "origins"); !finite) return finite.error();
+  if (const Status finite = check_finite(directions, n, "directions"); !finite) return finite.error();
   for (size_t i = 0; i < n; ++i) {
-    if (!is_finite(rays.vector(origins, i)))
-      return bad_input("origins[" + std::to_string(i) + "] is not finite");
-    const Vec3 direction = rays.vector(directions, i);
-    if (!is_finite(direction) || direction == Vec3(0))
-      return bad_input("directions[" + std::to_string(i) + "] is zero or not finite");
+    if (vector(directions, i) == Vec3(0)) return bad_input("directions[" + std::to_string(i) + "] is zero");
   }
   return rays;
 }
 
-// A crossing of a ray, in any body.
+// A point of a face, in the frame of the body.
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();
-  uint32_t body = kNoIndex, face = kNoIndex;
+  BodyId body;
+  FaceId face;
+  Vec3 point{0};
 };
 
 Hit nearest(const World& world, const std::vector<BodyId>& ids, const Pose& ray, const Interval& range) {
   Hit first;
-  for (uint32_t b = 0; b < ids.size(); ++b) {
-    const Body& body = world.body(ids[b]);
-    const auto hit = body.tree.nearest(body.mesh, body.placement.to_body(ray), range);
-    if (hit && hit->length < first.distance) first = {hit->length, b, hit->face.index};
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    const Pose own = body.placement.to_body(ray);
+    const auto hit = body.tree.nearest(body.mesh, own, range);
+    if (hit && hit->length < first.distance)
+      first = {hit->length, id, hit->face, own.origin + hit->length * own.direction};
   }
   return first;
 }
@@ -63,93 +72,215 @@ Hit nearest(const World& world, const std::vector<BodyId>& ids, const Pose& ray,
 void append_all(const World& world, const std::vector<BodyId>& ids, const Pose& ray, const Interval& range,
                 std::vector<Hit>& out) {
   std::vector<RayHit> found;
-  for (uint32_t b = 0; b < ids.size(); ++b) {
-    const Body& body = world.body(ids[b]);
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    const Pose own = body.placement.to_body(ray);
     found.clear();
-    body.tree.crossings(body.mesh, body.placement.to_body(ray), range, found);
-    for (const RayHit& hit : found) out.push_back({hit.length, b, hit.face.index});
+    body.tree.crossings(body.mesh, own, range, found);
+    for (const RayHit& hit : found)
+      out.push_back({hit.length, id, hit.face, own.origin + hit.length * own.direction});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
 }
 
-std::vector<BodyId> ids_of(const World& world) {
-  const auto ids = world.ids();
-  return {ids.begin(), ids.end()};
+Hit closest(const World& world, const std::vector<BodyId>& ids, const Vec3& to, double max_distance) {
+  Hit first;
+  for (const BodyId id : ids) {
+    const Body& body = world.body(id);
+    const auto near = body.tree.nearest_point(body.mesh, body.placement.to_body(to));
+    const double distance = near ? std::sqrt(near->distance2) : first.distance;
+    if (distance < first.distance && distance <= max_distance)
+      first = {distance, id, near->face, near->point};
+  }
+  return first;
+}
+
+// Returns the barycentric coordinates of a point of a triangle, by the areas in the plane in which its
+// projection is largest; the first corner for a triangle without area.
+Vec3 barycentrics(const Triangle& t, const Vec3& normal, const Vec3& at) {
+  const Vec3 size = glm::abs(normal);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto area = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+  };
+  const double whole = area(t[0], t[1], t[2]);
+  if (!(std::abs(whole) > 0)) return {1, 0, 0};
+  const double second = std::clamp(area(t[0], at, t[2]) / whole, 0.0, 1.0);
+  const double third = std::clamp(area(t[0], t[1], at) / whole, 0.0, 1 - second);
+  return {1 - second - third, second, third};
 }
 
 // Owner of the arrays of a kerf_hits.
 struct HitArrays {
-  std::vector<size_t> offsets{0};
+  std::vector<size_t> offsets;
   std::vector<double> distances;
-  std::vector<uint32_t> bodies, faces;
+  std::vector<kerf_body> bodies;
+  std::vector<uint32_t> faces, pieces;
+  std::vector<Vec3> barycentrics, positions, normals;
+  std::vector<uint16_t> materials;
+  std::vector<uint8_t> is_cut;
+
+  // `hits`: n hits, converted in parallel.
+  void fill(const World& world, const std::vector<Hit>& hits);
+  kerf_hits view() const;
 };
 
-Status find_all(const World& world, const Rays& rays, const Progress& progress, HitArrays& out) {
-  const std::vector<BodyId> ids = ids_of(world);
+void HitArrays::fill(const World& world, const std::vector<Hit>& hits) {
+  const size_t n = hits.size();
+  distances.assign(n, std::numeric_limits<double>::infinity());
+  bodies.assign(n, KERF_NO_BODY);
+  faces.assign(n, KERF_NO_FACE);
+  pieces.assign(n, 0);
+  for (auto* vectors : {&barycentrics, &positions, &normals}) vectors->assign(n, Vec3(0));
+  materials.assign(n, 0);
+  is_cut.assign(n, 0);
+  (void)for_each_range(n, kQueriesPerBatch, nullptr, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Hit& hit = hits[i];
+      if (!hit.body.valid()) continue;
+      const Body& body = world.body(hit.body);
+      const Triangle t = body.mesh.triangle(hit.face);
+      const Vec3 normal = unit_normal(t);
+      distances[i] = hit.distance;
+      bodies[i] = to_api(hit.body);
+      faces[i] = hit.face.index;
+      pieces[i] = body.mesh.data(hit.face).piece;
+      barycentrics[i] = kerf::barycentrics(t, normal, hit.point);
+      positions[i] = body.placement.to_world(hit.point);
+      normals[i] = body.placement.orientation * normal;
+      materials[i] = body.mesh.data(hit.face).material;
+      is_cut[i] = body.walls.contain(body.mesh, hit.face);
+    }
+  });
+}
+
+kerf_hits HitArrays::view() const {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  kerf_hits hits{};
+  hits.count = distances.size();
+  hits.offset_count = offsets.size();
+  hits.offsets = offsets.data();
+  hits.distances = distances.data();
+  hits.bodies = bodies.data();
+  hits.faces = faces.data();
+  hits.pieces = pieces.data();
+  hits.barycentrics = &barycentrics.data()->x;
+  hits.positions = &positions.data()->x;
+  hits.normals = &normals.data()->x;
+  hits.materials = materials.data();
+  hits.is_cut = is_cut.data();
+  return hits;
+}
+
+// Gives the arrays of a query to the caller.
+void hand_over(std::unique_ptr<HitArrays> arrays, kerf_hits& out) {
+  kerf_hits hits = arrays->view();
+  hits.owner = arrays.release();
+  write_struct(hits, out);
+}
+
+using Find = std::function<Status(const World& world, const Progress& progress, HitArrays& arrays)>;
+
+// Runs a query of a world and gives its hits to the caller.
+kerf_result query(const kerf_world* world, const kerf_call_options* options, kerf_hits* out,
+                  const Find& find) {
+  if (out == nullptr) return set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
+  return read_world(world, options, [&](const Document& document, const Progress& progress) -> Status {
+    if (const Status valid = check_size(*out, "out"); !valid) return valid;
+    if (out->size < offsetof(kerf_hits, distances))
+      return bad_input("out: its size must be that of kerf_hits");
+    auto arrays = std::make_unique<HitArrays>();
+    if (const Status found = find(document.world(), progress, *arrays); !found) return found;
+    hand_over(std::move(arrays), *out);
+    return Done{};
+  });
+}
+
+// Finds one hit of each of n queries in parallel.
+template <typename One>
+Status find_one_each(const World& world, size_t n, const Progress& progress, HitArrays& arrays, One one) {
+  std::vector<Hit> hits(n);
+  const bool done = for_each_range(n, kQueriesPerBatch, &progress, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) hits[i] = one(i);
+  });
+  if (!done) return cancelled();
+  arrays.fill(world, hits);
+  return Done{};
+}
+
+Status find_all(const World& world, const Rays& rays, const Progress& progress, HitArrays& arrays) {
+  const std::vector<BodyId> ids = cuttable(world);
   std::vector<std::vector<Hit>> hits(rays.count);
-  const bool done = for_each_range(rays.count, kRaysPerBatch, &progress, [&](size_t begin, size_t end) {
+  const bool done = for_each_range(rays.count, kQueriesPerBatch, &progress, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) append_all(world, ids, rays.pose(i), rays.range, hits[i]);
   });
   if (!done) return cancelled();
+  std::vector<Hit> all;
+  arrays.offsets.push_back(0);
   for (const std::vector<Hit>& of_ray : hits) {
-    for (const Hit& hit : of_ray) {
-      out.distances.push_back(hit.distance);
-      out.bodies.push_back(hit.body);
-      out.faces.push_back(hit.face);
-    }
-    out.offsets.push_back(out.distances.size());
+    all.insert(all.end(), of_ray.begin(), of_ray.end());
+    arrays.offsets.push_back(all.size());
   }
+  arrays.fill(world, all);
   return Done{};
 }
 
 }  // namespace
+
+Vec3 unit_normal(const Triangle& t) {
+  const Vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(across);
+  return length > 0 && std::isfinite(length) ? across / length : Vec3(0);
+}
+
 }  // namespace kerf
 
 kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins, const double* directions,
                                     size_t n, const double range[2], const kerf_call_options* options,
-                                    double* distances, uint32_t* bodies, uint32_t* faces) {
-  return kerf::read_world(
-      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+                                    kerf_hits* out) {
+  return kerf::query(
+      world, options, out,
+      [&](const kerf::World& in, const kerf::Progress& progress, kerf::HitArrays& arrays) -> kerf::Status {
         const auto rays = kerf::rays_of(origins, directions, n, range);
         if (!rays) return rays.error();
-        const auto ids = kerf::ids_of(document.world());
-        std::vector<kerf::Hit> hits(n);
-        const bool done =
-            kerf::for_each_range(n, kerf::kRaysPerBatch, &progress, [&](size_t begin, size_t end) {
-              for (size_t i = begin; i < end; ++i)
-                hits[i] = kerf::nearest(document.world(), ids, rays->pose(i), rays->range);
-            });
-        if (!done) return kerf::cancelled();
-        for (size_t i = 0; i < n; ++i) {
-          if (distances != nullptr) distances[i] = hits[i].distance;
-          if (bodies != nullptr) bodies[i] = hits[i].body;
-          if (faces != nullptr) faces[i] = hits[i].face;
-        }
-        return kerf::Done{};
+        const std::vector<kerf::BodyId> ids = kerf::cuttable(in);
+        return kerf::find_one_each(in, n, progress, arrays, [&](size_t i) {
+          return kerf::nearest(in, ids, rays->pose(i), rays->range);
+        });
       });
 }
 
 kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins, const double* directions,
                                 size_t n, const double range[2], const kerf_call_options* options,
                                 kerf_hits* out) {
-  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
-  return kerf::read_world(
-      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
+  return kerf::query(
+      world, options, out,
+      [&](const kerf::World& in, const kerf::Progress& progress, kerf::HitArrays& arrays) -> kerf::Status {
         const auto rays = kerf::rays_of(origins, directions, n, range);
         if (!rays) return rays.error();
-        auto arrays = std::make_unique<kerf::HitArrays>();
-        const kerf::Status found = kerf::find_all(document.world(), *rays, progress, *arrays);
-        if (!found) return found;
-        *out = {arrays->distances.size(), arrays->offsets.data(), arrays->distances.data(),
-                arrays->bodies.data(),    arrays->faces.data(),   nullptr};
-        out->owner = arrays.release();
-        return kerf::Done{};
+        return kerf::find_all(in, *rays, progress, arrays);
+      });
+}
+
+kerf_result kerf_world_closest_points(const kerf_world* world, const double* points, size_t n,
+                                      double max_distance, const kerf_call_options* options, kerf_hits* out) {
+  return kerf::query(
+      world, options, out,
+      [&](const kerf::World& in, const kerf::Progress& progress, kerf::HitArrays& arrays) -> kerf::Status {
+        if (n > 0 && points == nullptr) return kerf::bad_input("points: must not be null");
+        if (!(max_distance >= 0)) return kerf::bad_input("max_distance: must be a length in metres");
+        if (const kerf::Status finite = kerf::check_finite(points, n, "points"); !finite) return finite;
+        const std::vector<kerf::BodyId> ids = kerf::cuttable(in);
+        return kerf::find_one_each(in, n, progress, arrays, [&](size_t i) {
+          return kerf::closest(in, ids, kerf::vector(points, i), max_distance);
+        });
       });
 }
 
 void kerf_hits_free(kerf_hits* hits) {
-  if (hits == nullptr) return;
+  if (hits == nullptr || !kerf::check_size(*hits, "hits")) return;
   delete static_cast<kerf::HitArrays*>(hits->owner);
-  *hits = kerf_hits{};
+  kerf::write_struct(kerf_hits{}, *hits);
 }

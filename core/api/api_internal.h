@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -21,18 +25,45 @@
 
 namespace kerf {
 
+// Structs of the interface begin with their size (see kerf_c.h).
+
+// Returns an error if the size of a struct is invalid. `name`: of the argument.
+template <typename T>
+Status check_size(const T& given, const char* name) {
+  static_assert(offsetof(T, size) == 0 && sizeof(T) % 8 == 0);
+  if (given.size >= 8 && given.size <= sizeof(T) && given.size % 8 == 0) return Done{};
+  return bad_input(std::string(name) + ": its size must be sizeof the struct, at most " +
+                   std::to_string(sizeof(T)) + " in this version of the library");
+}
+
+// Returns the caller's struct, with the defaults for members that it lacks or if `given` is null.
+template <typename T>
+Result<T> read_struct(const T* given, T defaults, const char* name) {
+  if (given == nullptr) return defaults;
+  if (const Status valid = check_size(*given, name); !valid) return valid.error();
+  std::memcpy(&defaults, given, given->size);
+  return defaults;
+}
+
+// Writes the members that the caller's struct has. Precondition: its size is valid.
+template <typename T>
+void write_struct(T value, T& to) {
+  value.size = to.size;
+  std::memcpy(&to, &value, to.size);
+}
+
 // Runs a function of the library with Kerf's floating-point modes and at most as many threads as the caller
 // allows. Converts exceptions to results and stores the message of an error for kerf_last_error().
 class Call {
  public:
   // `options` may be null.
-  explicit Call(const kerf_call_options* options);
+  explicit Call(const kerf_call_options* options) : options_(options) {}
 
   // Returns the result of the work: that of its status, or of the exception that it throws.
   kerf_result run(const std::function<Status(const Progress&)>& work);
 
  private:
-  kerf_call_options options_{};
+  const kerf_call_options* options_;
   bool stopped_ = false;
 };
 
@@ -56,8 +87,7 @@ struct kerf_mesh {
   std::shared_ptr<const kerf::SurfaceLibrary> surfaces;  // describes the materials; null: none
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
-  kerf_mesh_info info{};         // except for its name
-  std::optional<double> volume;  // of a closed piece [m^3]
+  kerf_mesh_info info{};  // except for its name
 };
 
 namespace kerf {
@@ -116,6 +146,20 @@ class WorldUsers {
 
 }  // namespace kerf
 
+namespace kerf {
+
+// A stroke that is cut in steps.
+struct RunningStroke {
+  StrokePath last;    // its last key
+  double begin_time;  // of its first key [s]
+  CutJob before;      // the job of the world before the stroke
+  nlohmann::ordered_json settings_before;
+  size_t position;  // of the history before the stroke
+  bool ended = false;
+};
+
+}  // namespace kerf
+
 // The world of the C interface: a document that keeps no history between cuts.
 struct kerf_world {
   kerf::Document document;
@@ -124,6 +168,7 @@ struct kerf_world {
   nlohmann::ordered_json settings = nullptr;  // of the first cut
   // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.
   std::optional<kerf::World::Bounds> bounds;
+  std::optional<kerf::RunningStroke> stroke;
   mutable kerf::WorldUsers users;
 };
 
@@ -133,8 +178,46 @@ namespace kerf {
 kerf_result read_world(const kerf_world* world, const kerf_call_options* options,
                        const std::function<Status(const Document&, const Progress&)>& work);
 
-// Runs work that changes a world. Returns the result of Call::run(), or KERF_BUSY if another call uses it.
+// Runs work that changes a world. Returns the result of Call::run(), or KERF_BUSY if another call or a stroke
+// uses it.
 kerf_result change_world(kerf_world* world, const kerf_call_options* options,
                          const std::function<Status(const Progress&)>& work);
+
+// Likewise for work on a stroke that is cut in steps; fails if there is none.
+kerf_result change_stroke(kerf_world* world, const std::function<Status(RunningStroke&)>& work);
+
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Convert ids of bodies.
+inline kerf_body to_api(BodyId id) { return uint64_t{id.generation} << 32 | id.slot; }
+inline BodyId from_api(kerf_body body) {
+  return {static_cast<uint32_t>(body), static_cast<uint32_t>(body >> 32)};
+}
+
+// Returns the unit normal of a triangle; zero if it has no area.
+Vec3 unit_normal(const Triangle& t);
+
+// Internal functions of cuts.
+
+// Appends a key to a path. `where`: begins the message of an error.
+Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& path);
+
+// A stroke of the caller as commands.
+struct StrokeCommands {
+  StrokePath path;
+  std::vector<Command> commands;
+};
+
+// Converts strokes to commands, or returns an error for an invalid one.
+Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, const kerf_stroke* strokes,
+                                                       size_t count, const kerf_cut_settings& settings);
+
+// Returns the defaults, or an error for invalid settings.
+Result<kerf_cut_settings> read_settings(const kerf_cut_settings* given);
+
+// Records the begin of a cut in the job of the world, and the first settings.
+void begin_job(kerf_world& world, const Command& first);
 
 }  // namespace kerf

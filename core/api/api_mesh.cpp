@@ -18,8 +18,6 @@ namespace {
 
 constexpr size_t kMaxElements = size_t{1} << 31;
 
-bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 // Keeps the values of these triangles, ascending.
 template <typename T>
 void keep_triangles(LookChannel<T>& channel, const std::vector<size_t>& kept) {
@@ -102,6 +100,22 @@ Status create_mesh(const double* vertices, size_t vertex_count, const uint32_t* 
     }
   }
   return Done{};
+}
+
+int64_t euler_number(const kerf_mesh& mesh) {
+  std::vector<std::pair<uint32_t, uint32_t>> edges;
+  std::vector<bool> is_used(mesh.positions.size());
+  edges.reserve(3 * mesh.triangles.size());
+  for (const std::array<uint32_t, 3>& t : mesh.triangles) {
+    for (size_t i = 0; i < 3; ++i) {
+      edges.push_back(std::minmax({t[i], t[(i + 1) % 3]}));
+      is_used[t[i]] = true;
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto distinct = std::unique(edges.begin(), edges.end()) - edges.begin();
+  return std::count(is_used.begin(), is_used.end(), true) - distinct +
+         static_cast<int64_t>(mesh.triangles.size());
 }
 
 }  // namespace
@@ -257,8 +271,21 @@ const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t material) {
   return material < kerf_mesh_material_count(mesh) ? mesh->material_names[material].c_str() : nullptr;
 }
 
-void kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info) {
-  if (info == nullptr) return;
-  *info = mesh == nullptr ? kerf_mesh_info{} : mesh->info;
-  info->name = mesh == nullptr ? "" : mesh->name.c_str();
+kerf_result kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info) {
+  if (info == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "info: must not be null");
+  if (const kerf::Status valid = kerf::check_size(*info, "info"); !valid)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, valid.error().message.c_str());
+  kerf_mesh_info own = mesh == nullptr ? kerf_mesh_info{} : mesh->info;
+  own.name = mesh == nullptr ? "" : mesh->name.c_str();
+  kerf::write_struct(own, *info);
+  return KERF_OK;
+}
+
+kerf_result kerf_mesh_euler_number(const kerf_mesh* mesh, int64_t* out) {
+  if (mesh == nullptr || out == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh and out: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    *out = kerf::euler_number(*mesh);
+    return kerf::Done{};
+  });
 }

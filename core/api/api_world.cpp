@@ -83,21 +83,20 @@ kerf_result set_error(kerf_result result, const char* message) noexcept {
 
 const char* last_message() { return stored_error().lacks_memory ? kNoMemory : stored_error().text.c_str(); }
 
-Call::Call(const kerf_call_options* options) {
-  if (options != nullptr) options_ = *options;
-}
-
 kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
-  if (options_.threads > kMaxThreads)
+  const Result<kerf_call_options> read = read_struct(options_, KERF_CALL_OPTIONS_INIT, "options");
+  if (!read) return set_error(KERF_INVALID_ARGUMENT, read.error().message.c_str());
+  const kerf_call_options options = *read;
+  if (options.threads > kMaxThreads)
     return set_error(KERF_INVALID_ARGUMENT, "threads: must be from 0 to 1024");
   const DefaultArithmetic arithmetic;
   const Progress progress{[&](double share) {
-    stopped_ = stopped_ || (options_.progress != nullptr && options_.progress(share, options_.user) != 0);
+    stopped_ = stopped_ || (options.progress != nullptr && options.progress(share, options.user) != 0);
     return !stopped_;
   }};
   try {
     Status status = Done{};
-    with_threads(options_.threads, [&] { status = work(progress); });
+    with_threads(options.threads, [&] { status = work(progress); });
     if (status) return KERF_OK;
     if (stopped_) return set_error(KERF_CANCELLED, "cancelled");
     const bool bad = status.error().code == ErrorCode::kBadInput;
@@ -185,7 +184,21 @@ kerf_result change_world(kerf_world* world, const kerf_call_options* options,
   if (!world->users.begin_changing())
     return set_error(KERF_BUSY,
                      "the world is in use by another call; try again after that call has returned");
-  const kerf_result result = Call(options).run(work);
+  const kerf_result result =
+      world->stroke ? set_error(KERF_BUSY, "a stroke is being cut in steps; finish or cancel it first")
+                    : Call(options).run(work);
+  world->users.end_changing();
+  return result;
+}
+
+kerf_result change_stroke(kerf_world* world, const std::function<Status(RunningStroke&)>& work) {
+  if (world == nullptr) return set_error(KERF_INVALID_ARGUMENT, "world: must not be null");
+  if (!world->users.begin_changing())
+    return set_error(KERF_BUSY,
+                     "the world is in use by another call; try again after that call has returned");
+  const kerf_result result =
+      world->stroke ? Call(nullptr).run([&](const Progress&) { return work(*world->stroke); })
+                    : set_error(KERF_INVALID_ARGUMENT, "no stroke is being cut in steps; begin one first");
   world->users.end_changing();
   return result;
 }
@@ -263,7 +276,8 @@ std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
   set_piece_mass(e, *part.body, mesh->info);
   mesh->info.area = e.area;
   mesh->info.boundary_edges = e.boundary_edges;
-  mesh->volume = e.volume;
+  mesh->info.volume = e.volume.value_or(0);
+  mesh->info.is_closed = e.volume.has_value();
   const Placement& placement = part.body->placement;
   for (int k = 0; k < 3; ++k) {
     mesh->info.centroid[k] = e.centroid[k];
@@ -303,7 +317,7 @@ WrittenPiece as_written(const kerf_mesh& mesh) {
   piece.area = info.area;
   const auto vector = [](const double(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
   piece.centroid = vector(info.centroid);
-  piece.volume = mesh.volume;
+  if (info.is_closed) piece.volume = info.volume;
   piece.mass.mass = info.mass;
   const double(&i)[6] = info.inertia;
   piece.mass.inertia = glm::dmat3(i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]);

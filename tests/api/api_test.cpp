@@ -12,32 +12,10 @@
 #include <thread>
 
 #include "core/kerf.h"
+#include "tests/api/sheets.h"
 
+namespace kerf::test {
 namespace {
-
-// A sheet of n by n squares in the plane y = 0, one metre wide.
-kerf::Mesh sheet(int n) {
-  std::vector<double> vertices;
-  std::vector<uint32_t> faces;
-  for (int i = 0; i <= n; ++i) {
-    for (int k = 0; k <= n; ++k) vertices.insert(vertices.end(), {double(i) / n, 0, double(k) / n});
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      const auto a = static_cast<uint32_t>(i * (n + 1) + k), b = a + static_cast<uint32_t>(n) + 1;
-      faces.insert(faces.end(), {a, a + 1, b, b, a + 1, b + 1});
-    }
-  }
-  return {vertices, faces};
-}
-
-kerf::Stroke through_the_middle() {
-  kerf::Stroke stroke;
-  stroke.keys = {{0, {0.5, 1, -1}, {0, -3, 0}}, {1, {0.5, 1, 2}, {0, -3, 0}}};
-  stroke.radius = 0.01;
-  stroke.range = {0, 2};
-  return stroke;
-}
 
 std::string hash_of_cut(const kerf::Mesh& mesh, unsigned threads = 0) {
   kerf::World world;
@@ -134,7 +112,7 @@ TEST(Api, rays_hit_the_sheet_and_miss_the_slot) {
   EXPECT_EQ(first.faces[1], 0xffffffffu);
   EXPECT_EQ(first.distances[2], 2);
   EXPECT_EQ(world.nearest_hits(from, along, {0, 1.5}).bodies,
-            (std::vector<uint32_t>{0, 0xffffffffu, 0xffffffffu}));
+            (std::vector<kerf::BodyId>{first.bodies[0], KERF_NO_BODY, KERF_NO_BODY}));
   const kerf::Hits all = world.all_hits(from, along);
   EXPECT_EQ(all.offsets, (std::vector<size_t>{0, 1, 1, 2}));
   EXPECT_EQ(all.distances, (std::vector<double>{1, 2}));
@@ -382,6 +360,44 @@ TEST(Api, invalid_arguments_report_an_error) {
   EXPECT_EQ(kerf_mesh_vertex_count(nullptr), 0u);
 }
 
+TEST(Api, header_has_the_version_of_the_library) {
+  EXPECT_EQ(std::to_string(KERF_VERSION / 10000) + "." + std::to_string(KERF_VERSION / 100 % 100) + "." +
+                std::to_string(KERF_VERSION % 100),
+            kerf_version());
+}
+
+TEST(Api, a_smaller_struct_gets_the_defaults_and_a_larger_one_is_an_error) {
+  kerf::World world;
+  world.add(sheet(10));
+  const std::vector<kerf_keyframe> keys = through_the_middle().keys;
+  kerf_stroke stroke = KERF_STROKE_INIT;
+  stroke.keys = keys.data();
+  stroke.key_count = keys.size();
+  stroke.radius = 0.01;
+  stroke.duty = -1;
+  const auto cut = [&](size_t size) {
+    stroke.size = size;
+    return kerf_world_cut(world.get(), &stroke, 1, nullptr, nullptr, nullptr);
+  };
+  EXPECT_EQ(cut(sizeof stroke), KERF_INVALID_ARGUMENT);  // the duty
+  EXPECT_EQ(cut(sizeof stroke + 8), KERF_INVALID_ARGUMENT);
+  EXPECT_EQ(cut(0), KERF_INVALID_ARGUMENT);
+  EXPECT_EQ(cut(offsetof(kerf_stroke, duty)), KERF_OK);
+  kerf_cut_result result{offsetof(kerf_cut_result, removed_area), 7, 7, 7};
+  EXPECT_EQ(kerf_world_cut(world.get(), nullptr, 0, nullptr, nullptr, &result), KERF_OK);
+  EXPECT_EQ(result.removed_faces, 0u);
+  EXPECT_EQ(result.seconds, 7);
+}
+
+TEST(Api, a_power_of_zero_heats_nothing) {
+  kerf::World world;
+  world.add(sheet(10));
+  kerf::Stroke stroke = through_the_middle();
+  stroke.power = 0;
+  EXPECT_EQ(world.cut(stroke, {.model = KERF_MODEL_THERMAL}).removed_faces, 0u);
+  EXPECT_NEAR(world.pieces()[0].face_temperatures()[0], 293, 1e-9);
+}
+
 TEST(Api, thermal_cuts_accept_a_material) {
   kerf::World world;
   world.add(sheet(10));
@@ -457,3 +473,4 @@ TEST(Api, attributes_and_materials_survive_cuts) {
 }
 
 }  // namespace
+}  // namespace kerf::test

@@ -56,7 +56,7 @@ class Module(unittest.TestCase):
                     lambda: self.world.cut(slot(self.mesh), target_edge=-1.0), lambda: self.world.nearest_hits(v[:, :2], v),
                     lambda: self.world.all_hits(v, v[:3]), lambda: self.world.nearest_hits(v, 0 * v),
                     lambda: kerf.World().cut(slot(self.mesh)), lambda: kerf.Stroke([], radius=-1),
-                    lambda: kerf.Stroke([], power=0), lambda: kerf.Stroke([], range=(1,)), lambda: kerf.read('a\0b'),
+                    lambda: kerf.Stroke([], power=-1), lambda: kerf.Stroke([], range=(1,)), lambda: kerf.read('a\0b'),
                     lambda: self.world.add(self.mesh, name='a\0b'), lambda: self.world.add(self.mesh, name='\udcff'),
                     lambda: self.world.cut(slot(self.mesh), threads=-1),
                     lambda: self.world.cut(slot(self.mesh), threads=10**30),
@@ -137,14 +137,14 @@ class Module(unittest.TestCase):
     def test_a_stroke_has_attributes_a_repr_and_equal_copies(self):
         stroke = kerf.Stroke([(0, (0, 1, 0), (0, -1, 0))], radius=0.25, range=(0, 2))
         self.assertEqual(stroke.keys, [(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))])
-        self.assertEqual((stroke.radius, stroke.range, stroke.power), (0.25, (0.0, 2.0), None))
+        self.assertEqual((stroke.radius, stroke.range, stroke.power), (0.25, (0.0, 2.0), 2000.0))
         self.assertEqual(repr(stroke), 'kerf.Stroke([(0.0, (0.0, 1.0, 0.0), (0.0, -1.0, 0.0))], radius=0.25, range=(0.0, 2.0))')
         for same in (copy.copy(stroke), copy.deepcopy(stroke), pickle.loads(pickle.dumps(stroke)), eval(repr(stroke))):
             self.assertEqual(same, stroke)
             same.power = 500
-            self.assertEqual((same.power, stroke.power), (500, None))
+            self.assertEqual((same.power, stroke.power), (500, 2000.0))
             self.assertNotEqual(same, stroke)
-        for name, bad in (('radius', -1), ('power', 0), ('range', (1,)), ('keys', [()])):
+        for name, bad in (('radius', -1), ('power', -1), ('range', (1,)), ('keys', [()])):
             with self.assertRaises(ValueError):
                 setattr(stroke, name, bad)
         stroke.radius = stroke.range = None
@@ -182,7 +182,7 @@ class Module(unittest.TestCase):
                          tuple(f'<kerf.Mesh {name}of {len(self.mesh.faces)} faces>' for name in ('', '"ball" ')))
         hits = self.world.all_hits([[0, 9, 0]] * 2, [[0, -1, 0]] * 2)
         same = pickle.loads(pickle.dumps(hits))
-        for name in ('offsets', 'distance', 'body', 'face'):
+        for name in ('offsets', 'distance', 'body', 'face', 'piece'):
             np.testing.assert_array_equal(getattr(same, name), getattr(hits, name))
         with self.assertRaises(TypeError):
             pickle.dumps(self.world)

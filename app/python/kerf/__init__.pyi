@@ -98,7 +98,7 @@ class Stroke:
         keys: Iterable[tuple[float, npt.ArrayLike, npt.ArrayLike]],
         radius: float | None = None,
         range: tuple[float, float] | None = None,
-        power: float | None = None,
+        power: float = 2000.0,
     ) -> None: ...
     @property
     def keys(self) -> list[tuple[float, _Vector, _Vector]]:
@@ -109,8 +109,8 @@ class Stroke:
     """Metres; None: 1/400 of the diagonal of the world."""
     range: tuple[float, float] | None
     """(min, max) along the beam in metres; None: from 0 to ten diagonals."""
-    power: float | None
-    """Watts, for the thermal model; None: 2000."""
+    power: float
+    """Watts, >= 0, for the thermal model."""
 
 class Hits:
     """Crossings of k rays with surfaces, n in total."""
@@ -122,11 +122,14 @@ class Hits:
     def distance(self) -> npt.NDArray[np.float64]:
         """Shape (n,), metres; inf on a miss."""
     @property
-    def body(self) -> npt.NDArray[np.uint32]:
-        """Shape (n,), in the order of adding; 2^32 - 1 on a miss."""
+    def body(self) -> npt.NDArray[np.uint64]:
+        """Shape (n,), ids of bodies; 2^64 - 1 on a miss."""
     @property
     def face(self) -> npt.NDArray[np.uint32]:
         """Shape (n,), face indices in their bodies; 2^32 - 1 on a miss."""
+    @property
+    def piece(self) -> npt.NDArray[np.uint32]:
+        """Shape (n,), labels of pieces in their bodies."""
 
 class World:
     """The bodies that a laser cuts."""

@@ -50,8 +50,10 @@ void visit(const kerf_mesh* mesh) {
   std::vector<float> values(12 * faces);
   for (size_t i = 0; i < kerf_mesh_attribute_count(mesh); ++i)
     require(kerf_mesh_get_attribute(mesh, i, values.data()) == KERF_OK, "an attribute that cannot be copied");
-  kerf_mesh_info info;
-  kerf_mesh_get_info(mesh, &info);
+  kerf_mesh_info info = KERF_MESH_INFO_INIT;
+  checked(kerf_mesh_get_info(mesh, &info));
+  int64_t euler = 0;
+  checked(kerf_mesh_euler_number(mesh, &euler));
   require(info.name != nullptr, "a mesh whose name is null");
 }
 
@@ -90,7 +92,7 @@ Session::~Session() {
 }
 
 void Session::act() {
-  switch (bytes_.below(20)) {
+  switch (bytes_.below(23)) {
     case 0:
     case 1:
       return make_mesh();
@@ -123,6 +125,10 @@ void Session::act() {
       return save_journal();
     case 18:
       return report();
+    case 19:
+    case 20:
+    case 21:
+      return cut_in_steps();
     default:
       if (chance(2)) free_one();
   }
@@ -217,7 +223,7 @@ const kerf_call_options* Session::control(kerf_world* in_use) {
   patience_ = {kMaxPatience, nullptr};
   if (chance(4)) patience_.calls_left = static_cast<int>(bytes_.below(32));
   if (chance(8)) patience_.calls_with = in_use;
-  control_ = {&Session::on_progress, &patience_, 1};
+  control_ = {chance(64) ? bytes_.below(99) : sizeof control_, &Session::on_progress, &patience_, 1};
   if (chance(4)) control_.threads = kThreads[bytes_.below(std::size(kThreads))];
   return &control_;
 }
@@ -237,14 +243,34 @@ kerf_stroke Session::stroke() {
     if (chance(8)) key.time = number();
     keys.push_back(key);
   }
-  kerf_stroke stroke{};
+  kerf_stroke stroke = KERF_STROKE_INIT;
+  if (chance(64)) stroke.size = bytes_.below(200);
   stroke.keys = chance(32) ? nullptr : keys.data();
   stroke.key_count = count;
   stroke.radius = length();
   if (chance(4)) stroke.range[0] = length();
   if (chance(4)) stroke.range[1] = length();
-  if (chance(4)) stroke.power = number();
+  for (double* member : {&stroke.power, &stroke.wavelength, &stroke.focus, &stroke.pulse_rate, &stroke.duty})
+    if (chance(8)) *member = number();
   return stroke;
+}
+
+kerf_cut_settings Session::settings() {
+  kerf_cut_settings settings = KERF_CUT_SETTINGS_INIT;
+  const auto select = [&](auto& field, int number) { std::memcpy(&field, &number, sizeof number); };
+  select(settings.rim, static_cast<int>(bytes_.below(2)));
+  select(settings.scheme, static_cast<int>(bytes_.below(2)));
+  if (chance(8)) select(settings.rim, bytes_.byte() - 8);
+  if (chance(8)) select(settings.scheme, bytes_.byte() - 8);
+  if (chance(4)) select(settings.model, static_cast<int>(bytes_.below(2)));
+  if (chance(32)) select(settings.model, bytes_.byte() - 8);
+  if (chance(4)) select(settings.resolution, static_cast<int>(bytes_.below(4)));
+  if (chance(32)) select(settings.resolution, bytes_.byte() - 8);
+  settings.target_edge = length();
+  settings.tolerance = length();
+  settings.max_level = static_cast<int>(bytes_.below(30)) - 2;
+  if (chance(64)) settings.size = bytes_.below(200);
+  return settings;
 }
 
 void Session::keep(kerf_mesh* mesh) {
@@ -314,7 +340,7 @@ void Session::write_mesh() {
 }
 
 void Session::inspect_mesh() {
-  kerf_mesh_get_info(mesh(), nullptr);
+  checked(kerf_mesh_get_info(mesh(), nullptr));
   visit(mesh());
   require(std::strlen(kerf_version()) > 0 && kerf_last_error() != nullptr, "no version");
 }
@@ -353,26 +379,48 @@ void Session::cut() {
   keys_.clear();
   std::vector<kerf_stroke> strokes;
   for (size_t i = bytes_.below(4); i > 0; --i) strokes.push_back(stroke());
-  kerf_cut_settings settings{};
-  const auto select = [&](auto& field, int number) { std::memcpy(&field, &number, sizeof number); };
-  select(settings.rim, static_cast<int>(bytes_.below(2)));
-  select(settings.scheme, static_cast<int>(bytes_.below(2)));
-  if (chance(8)) select(settings.rim, bytes_.byte() - 8);
-  if (chance(8)) select(settings.scheme, bytes_.byte() - 8);
-  if (chance(4)) select(settings.model, static_cast<int>(bytes_.below(2)));
-  if (chance(32)) select(settings.model, bytes_.byte() - 8);
-  if (chance(8)) settings.target_edge = length();
-  if (chance(8)) settings.tolerance = length();
-  if (chance(8)) settings.max_level = bytes_.byte() - 8;
+  kerf_cut_settings settings = this->settings();
   if (chance(8)) settings.material = kMaterials[bytes_.below(std::size(kMaterials))];
   kerf_world* in = world();
   const kerf_call_options* how = control(in);
-  kerf_cut_result done{7, 7, 7};
+  kerf_cut_result done{sizeof done, 7, 7, 7};
   const kerf_stroke* given = or_null(strokes.data());
   const kerf_cut_settings* set = or_null(&settings);
   const kerf_result result =
       change(in, [&] { return kerf_world_cut(in, given, strokes.size(), set, how, &done); });
   require((result == KERF_OK) != (done.seconds == 7), "a result of a cut that failed, or none");
+}
+
+// A stroke that is finished or cancelled: nothing else may change its world in between.
+void Session::cut_in_steps() {
+  keys_.clear();
+  kerf_world* in = world();
+  const std::string before = hash_of(in);
+  const kerf_stroke begin = stroke();
+  const kerf_cut_settings set = settings();
+  if (checked(kerf_stroke_begin(in, or_null(&begin), or_null(&set))) != KERF_OK) return;
+  kerf_stroke_progress progress = KERF_STROKE_PROGRESS_INIT;
+  const kerf_stroke more = stroke();
+  for (size_t k = 0; more.keys != nullptr && k < more.key_count; ++k) {
+    checked(kerf_stroke_add_pose(in, or_null(&more.keys[k])));
+    for (size_t i = bytes_.below(4); i > 0; --i) {
+      const double seconds = chance(4) ? number() : 1e-4;
+      if (checked(kerf_stroke_step(in, bytes_.below(1000), seconds, or_null(&progress))) == KERF_FAILED)
+        return require(hash_of(in) == before, "a stroke that failed and changed the world");
+    }
+    require(checked(kerf_world_cut(in, nullptr, 0, nullptr, nullptr, nullptr)) == KERF_BUSY,
+            "a stroke in steps");
+  }
+  if (chance(2)) {
+    require(kerf_stroke_cancel(in) == KERF_OK, "a stroke that cannot be cancelled");
+    return require(hash_of(in) == before, "a cancelled stroke that changed the world");
+  }
+  require(kerf_stroke_end(in) == KERF_OK, "a stroke that cannot be ended");
+  kerf_result result = KERF_OK;
+  progress.is_finished = 0;
+  while (result == KERF_OK && progress.is_finished == 0)
+    result = checked(kerf_stroke_step(in, 5000, 1, &progress));
+  require(checked(kerf_stroke_cancel(in)) == KERF_INVALID_ARGUMENT, "a stroke that is not finished");
 }
 
 void Session::take_pieces() {
@@ -403,20 +451,16 @@ void Session::cast_rays() {
   if (chance(8)) along = numbers(3 * n);
   const std::vector<double> range{length(), length()};
   const double* within = chance(4) ? range.data() : nullptr;
-  std::vector<double> distances(n, 7);
-  std::vector<uint32_t> bodies(n), faces(n);
   const double* origins = or_null(from.data());
   const double* directions = or_null(along.data());
-  uint32_t* hit_faces = or_null(faces.data());
   const kerf_call_options* how = control(of);
-  const kerf_result near = change(of, [&] {
-    return kerf_world_nearest_hits(of, origins, directions, n, within, how, distances.data(), bodies.data(),
-                                   hit_faces);
-  });
-  const auto is_seven = [](double x) { return x == 7; };
-  if (near != KERF_OK)
-    require(std::all_of(distances.begin(), distances.end(), is_seven), "hits of a call that failed");
-  kerf_hits hits{};
+  kerf_hits nearest = KERF_HITS_INIT, hits = KERF_HITS_INIT, closest = KERF_HITS_INIT;
+  const kerf_result near =
+      change(of, [&] { return kerf_world_nearest_hits(of, origins, directions, n, within, how, &nearest); });
+  require((near == KERF_OK) == (nearest.owner != nullptr), "hits without a result");
+  const double farthest = chance(4) ? number() : 1;
+  checked(kerf_world_closest_points(of, origins, n, farthest, how, &closest));
+  kerf_hits_free(&closest);
   checked(kerf_world_all_hits(of, origins, directions, n, within, nullptr, nullptr));
   how = control(of);
   const kerf_result all =
@@ -426,10 +470,12 @@ void Session::cast_rays() {
     require(hits.offsets[n] == hits.count, "hits that are not counted");
     for (size_t i = 0; i < n; ++i) {
       const bool is_hit = hits.offsets[i] < hits.offsets[i + 1];
-      require(is_hit == std::isfinite(distances[i]), "a nearest hit that is none of all hits");
-      if (is_hit) require(hits.distances[hits.offsets[i]] == distances[i], "a nearer hit than the nearest");
+      require(is_hit == std::isfinite(nearest.distances[i]), "a nearest hit that is none of all hits");
+      if (is_hit)
+        require(hits.distances[hits.offsets[i]] == nearest.distances[i], "a nearer hit than the nearest");
     }
   }
+  kerf_hits_free(&nearest);
   kerf_hits_free(&hits);
   kerf_hits_free(&hits);
   kerf_hits_free(nullptr);

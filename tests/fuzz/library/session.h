@@ -41,6 +41,7 @@ class Session {
   void open_world();
   void add();
   void cut();
+  void cut_in_steps();
   void take_pieces();
   void cast_rays();
   void save_scene();
@@ -62,6 +63,7 @@ class Session {
   kerf_mesh* mesh();
   const kerf_call_options* control(kerf_world* in_use);
   kerf_stroke stroke();
+  kerf_cut_settings settings();
   void keep(kerf_mesh* mesh);
   void keep(kerf_world* world);
 

@@ -191,6 +191,7 @@ class Mesh {
 };
 
 using Keyframe = kerf_keyframe;
+using BodyId = kerf_body;
 
 // A stroke of the laser; see kerf_stroke.
 struct Stroke {
@@ -214,6 +215,7 @@ struct CutSettings {
   std::optional<double> tolerance{};    // overshoot beyond the beam [m], > 0; excludes target_edge
   std::optional<int> max_level{};       // 0 to 24; excludes both
   std::string material{};               // empty: unchanged
+  std::vector<BodyId> bodies{};         // the only ones to cut; empty: all visible ones
 };
 
 // Internal: convert to structs of kerf_c.h, which refer to the arguments. Throw InvalidArgument for several
@@ -244,13 +246,41 @@ inline kerf_cut_settings to_c(const CutSettings& settings) {
   if (settings.tolerance) c.resolution = KERF_RESOLUTION_TOLERANCE, c.tolerance = *settings.tolerance;
   if (settings.max_level) c.resolution = KERF_RESOLUTION_LEVEL, c.max_level = *settings.max_level;
   if (!settings.material.empty()) c.material = settings.material.c_str();
+  if (!settings.bodies.empty()) c.bodies = settings.bodies.data();
+  c.body_count = settings.bodies.size();
   return c;
 }
 
 using CutResult = kerf_cut_result;
 
 using StrokeProgress = kerf_stroke_progress;
-using BodyId = kerf_body;
+using Changes = kerf_changes;
+
+// Properties of a new body; see kerf_body_desc.
+struct BodyDesc {
+  std::string name = "mesh";                      // UTF-8
+  std::array<double, 3> position{0, 0, 0};        // m
+  std::array<double, 4> orientation{1, 0, 0, 0};  // unit quaternion w x y z
+  std::string material{};                         // a name from `kerf materials`; empty: mild steel
+  double thickness = 0.001;                       // m
+  double density = 0;                             // kg/m^3; 0: that of the material
+  bool is_solid = false, is_hidden = false, is_fixed = false;
+};
+
+// Internal: converts to a struct that refers to the argument.
+inline kerf_body_desc to_c(const BodyDesc& desc) {
+  kerf_body_desc c = KERF_BODY_DESC_INIT;
+  c.name = desc.name.c_str();
+  std::copy(desc.position.begin(), desc.position.end(), c.position);
+  std::copy(desc.orientation.begin(), desc.orientation.end(), c.orientation);
+  if (!desc.material.empty()) c.material = desc.material.c_str();
+  c.thickness = desc.thickness;
+  c.density = desc.density;
+  c.is_solid = desc.is_solid;
+  c.is_hidden = desc.is_hidden;
+  c.is_fixed = desc.is_fixed;
+  return c;
+}
 
 // Points of surfaces; see kerf_hits. Vectors have three numbers per hit.
 struct Hits {
@@ -280,12 +310,117 @@ class World {
     world_.reset(world);
   }
 
-  // Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.
-  // name: UTF-8.
-  // Throws InvalidArgument if the name is not UTF-8. O(n log n), about 0.5 us per face.
-  void add(const Mesh& mesh, const std::string& name = "mesh", const CallOptions& options = {}) {
+  // Adds a copy of a mesh as a new body and returns its id; see kerf_world_add. Throws InvalidArgument for an
+  // invalid description. O(n log n), about 0.5 us per face.
+  BodyId add(const Mesh& mesh, const BodyDesc& desc, const CallOptions& options = {}) {
+    const kerf_body_desc c_desc = to_c(desc);
+    BodyId body = KERF_NO_BODY;
     Run(options).call(
-        [&](const kerf_call_options* c) { return kerf_world_add(get(), mesh.get(), name.c_str(), c); });
+        [&](const kerf_call_options* c) { return kerf_world_add(get(), mesh.get(), &c_desc, c, &body); });
+    return body;
+  }
+  // Likewise, as a sheet of mild steel 1 mm thick. name: UTF-8.
+  BodyId add(const Mesh& mesh, const std::string& name = "mesh", const CallOptions& options = {}) {
+    BodyDesc desc;
+    desc.name = name;
+    return add(mesh, desc, options);
+  }
+
+  // Returns the ids of all bodies, in the order of their creation. O(bodies).
+  std::vector<BodyId> bodies() const {
+    return list_of<BodyId>(
+        [&](BodyId* out, size_t capacity, size_t* n) { return kerf_world_bodies(get(), out, capacity, n); });
+  }
+  // Returns the properties of a body; see kerf_body_info. Throws InvalidArgument if there is none.
+  kerf_body_info info(BodyId body) const {
+    kerf_body_info info = KERF_BODY_INFO_INIT;
+    check(kerf_body_get_info(get(), body, &info));
+    return info;
+  }
+  // Returns the indices of the faces of a body, ascending. Throws InvalidArgument if there is none. O(faces).
+  std::vector<uint32_t> faces(BodyId body) const {
+    return list_of<uint32_t>([&](uint32_t* out, size_t capacity, size_t* n) {
+      return kerf_body_faces(get(), body, out, capacity, n);
+    });
+  }
+  // Returns nine numbers per face: its corners in the frame of the body [m]. Throws InvalidArgument if there
+  // is no such body or face. About 10 ns per face.
+  std::vector<double> corners(BodyId body, std::span<const uint32_t> faces) const {
+    std::vector<double> corners(9 * faces.size());
+    check(kerf_body_get_faces(get(), body, faces.data(), faces.size(), corners.data(), nullptr, nullptr,
+                              nullptr));
+    return corners;
+  }
+  // Returns the label of the piece of each face. Errors and cost are those of corners().
+  std::vector<uint32_t> piece_labels(BodyId body, std::span<const uint32_t> faces) const {
+    std::vector<uint32_t> labels(faces.size());
+    check(kerf_body_get_faces(get(), body, faces.data(), faces.size(), nullptr, labels.data(), nullptr,
+                              nullptr));
+    return labels;
+  }
+  // Returns a piece as a mesh; see kerf_piece_get_mesh. Throws InvalidArgument if there is none.
+  Mesh piece(BodyId body, uint32_t piece) const {
+    kerf_mesh* mesh = nullptr;
+    check(kerf_piece_get_mesh(get(), body, piece, &mesh));
+    return Mesh(mesh);
+  }
+
+  // Edits of a piece; see kerf_piece_move. Return the body of the piece after the edit. Throw InvalidArgument
+  // if there is no such piece, or for an invalid value.
+  BodyId move(BodyId body, uint32_t piece, const std::array<double, 3>& position,
+              const std::array<double, 4>& orientation = {1, 0, 0, 0}) {
+    return edit([&](BodyId* now) {
+      return kerf_piece_move(get(), body, piece, position.data(), orientation.data(), now);
+    });
+  }
+  BodyId set_sheet(BodyId body, uint32_t piece, const std::string& material, double thickness,
+                   double density = 0) {
+    return edit([&](BodyId* now) {
+      const char* name = material.empty() ? nullptr : material.c_str();
+      return kerf_piece_set_sheet(get(), body, piece, name, thickness, density, now);
+    });
+  }
+  BodyId set_solid(BodyId body, uint32_t piece, bool is_solid) {
+    return edit([&](BodyId* now) { return kerf_piece_set_solid(get(), body, piece, is_solid, now); });
+  }
+  BodyId set_hidden(BodyId body, uint32_t piece, bool is_hidden) {
+    return edit([&](BodyId* now) { return kerf_piece_set_hidden(get(), body, piece, is_hidden, now); });
+  }
+  BodyId set_fixed(BodyId body, uint32_t piece, bool is_fixed) {
+    return edit([&](BodyId* now) { return kerf_piece_set_fixed(get(), body, piece, is_fixed, now); });
+  }
+  void rename(BodyId body, uint32_t piece, const std::string& name) {
+    check(kerf_piece_rename(get(), body, piece, name.c_str()));
+  }
+  void remove(BodyId body, uint32_t piece) { check(kerf_piece_remove(get(), body, piece)); }
+
+  // Sets the environment of simulations. gravity: m/s^2. ground: height [m]. Throws InvalidArgument for
+  // numbers that are not finite.
+  void set_environment(const std::array<double, 3>& gravity, std::optional<double> ground = {}) {
+    check(kerf_world_set_environment(get(), gravity.data(), ground ? &*ground : nullptr));
+  }
+  // Simulates rigid bodies and cooling; see kerf_world_simulate. seconds: 0 to 3600.
+  void simulate(double seconds) { check(kerf_world_simulate(get(), seconds, nullptr)); }
+
+  // Undo or redo a step of the history; see kerf_world_undo. Return false if there is none. Throw Error if it
+  // is no longer stored.
+  bool undo() {
+    int done = 0;
+    check(kerf_world_undo(get(), &done));
+    return done != 0;
+  }
+  bool redo() {
+    int done = 0;
+    check(kerf_world_redo(get(), &done));
+    return done != 0;
+  }
+  void set_undo_memory(size_t bytes) { check(kerf_world_set_undo_memory(get(), bytes)); }
+
+  // Returns all changes since the last call; see kerf_changes. Its arrays are valid until the next call.
+  Changes take_changes() {
+    Changes changes = KERF_CHANGES_INIT;
+    check(kerf_world_take_changes(get(), &changes));
+    return changes;
   }
 
   // Cuts all bodies with strokes, in order, all or nothing.
@@ -418,6 +553,22 @@ class World {
     if (origins.size() % 3 != 0 || origins.size() != directions.size())
       throw InvalidArgument("origins and directions: must have the same length, three numbers per ray");
     return origins.size() / 3;
+  }
+
+  template <typename T, typename F>
+  static std::vector<T> list_of(F function) {
+    size_t count = 0;
+    check(function(nullptr, 0, &count));
+    std::vector<T> list(count);
+    check(function(list.data(), count, &count));
+    return list;
+  }
+
+  template <typename F>
+  static BodyId edit(F function) {
+    BodyId now = KERF_NO_BODY;
+    check(function(&now));
+    return now;
   }
 
   // Runs a query and copies its hits.

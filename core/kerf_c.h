@@ -189,6 +189,10 @@ typedef struct kerf_world kerf_world;
 typedef uint64_t kerf_body;
 #define KERF_NO_BODY UINT64_MAX
 
+/* Label of no piece. A piece is the connected faces of a body with one label; it keeps its label in its body
+ * and when it becomes a body of its own. */
+#define KERF_NO_PIECE UINT32_MAX
+
 /* Index of a face in its body. A face keeps it until it is removed or its piece becomes another body; the
  * index is used again only after an undo. */
 #define KERF_NO_FACE UINT32_MAX
@@ -207,12 +211,102 @@ KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* 
 /* Destroys a world. No-op if `world` is null. Precondition: no other call uses the world. */
 KERF_API void kerf_world_destroy(kerf_world* world);
 
-/* Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick, and builds its AABB tree.
- * name: UTF-8; "mesh" if null.
- * options: may be null.
- * Errors: KERF_INVALID_ARGUMENT if the name is not UTF-8. O(n log n), about 0.5 us per face. */
-KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
-                                    const kerf_call_options* options);
+/* Properties of a new body. */
+typedef struct kerf_body_desc {
+  size_t size;
+  const char* name;      /* UTF-8; null: "mesh" */
+  double position[3];    /* m; x_world = orientation * x_mesh + position */
+  double orientation[4]; /* unit quaternion w x y z */
+  const char* material;  /* a name from `kerf materials`; null: mild steel */
+  double thickness;      /* of the sheet [m], 1e-9 to 1000 */
+  double density;        /* kg/m^3, 1e-3 to 1e6; 0: that of the material */
+  int is_solid;          /* 1: the faces enclose a volume; strokes with a smooth rim close it by walls */
+  int is_hidden;         /* 1: neither cut nor hit by rays */
+  int is_fixed;          /* 1: does not move in a simulation */
+  int reserved;          /* 0 */
+} kerf_body_desc;
+#define KERF_BODY_DESC_INIT \
+  { sizeof(kerf_body_desc), NULL, {0, 0, 0}, {1, 0, 0, 0}, NULL, 0.001, 0, 0, 0, 0, 0 }
+
+/* Adds a copy of a mesh as a new body, and builds its AABB tree. A step of the history.
+ * desc, options: may be null.
+ * body: receives the id; may be null.
+ * Errors: KERF_INVALID_ARGUMENT for an invalid description. O(n log n), about 0.5 us per face, and O(bodies)
+ * for the history. */
+KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const kerf_body_desc* desc,
+                                    const kerf_call_options* options, kerf_body* body);
+
+/* Properties of a body. */
+typedef struct kerf_body_info {
+  size_t size;
+  const char* name;      /* valid until the world changes */
+  const char* material;  /* a name from `kerf materials`; null for any other; static */
+  double position[3];    /* m; x_world = orientation * x_body + position */
+  double orientation[4]; /* unit quaternion w x y z */
+  double velocity[3];    /* m/s, of the point at `position`, in world axes */
+  double spin[3];        /* angular velocity in world axes [rad/s] */
+  double thickness;      /* m */
+  double density;        /* kg/m^3 */
+  size_t face_count;
+  size_t piece_count;
+  int is_solid, is_hidden, is_fixed;
+  int is_asleep; /* 1: at rest until something touches it */
+} kerf_body_info;
+#define KERF_BODY_INFO_INIT                                                                                 \
+  {                                                                                                         \
+    sizeof(kerf_body_info), NULL, NULL, {0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0, 0, 0, 0, 0, \
+        0                                                                                                   \
+  }
+
+/* Writes the properties of a body.
+ * info: its size is set.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(pieces). */
+KERF_API kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_body_info* info);
+
+/* Returns a piece of a body as a mesh in world coordinates, with its mass properties.
+ * out: receives the mesh; destroy it with kerf_mesh_destroy.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such piece. O(n log n), and O(faces of the body). */
+KERF_API kerf_result kerf_piece_get_mesh(const kerf_world* world, kerf_body body, uint32_t piece,
+                                         kerf_mesh** out);
+
+/* Edits of a piece, each a step of the history unless nothing changes. Except for renaming, a piece that is
+ * not the only one of its body first becomes a body of its own (see kerf_detached).
+ * body, piece: of the piece; label 0 is that of a body that was not cut.
+ * now: receives the body of the piece after the edit; may be null.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such piece, or for an invalid value. O(bodies), and O(faces of
+ * the body) if the piece is detached. */
+
+/* Moves it. position: m; orientation: unit quaternion w x y z. Stops its motion. */
+KERF_API kerf_result kerf_piece_move(kerf_world* world, kerf_body body, uint32_t piece,
+                                     const double position[3], const double orientation[4], kerf_body* now);
+/* Sets its sheet; arguments as in kerf_body_desc. */
+KERF_API kerf_result kerf_piece_set_sheet(kerf_world* world, kerf_body body, uint32_t piece,
+                                          const char* material, double thickness, double density,
+                                          kerf_body* now);
+KERF_API kerf_result kerf_piece_set_solid(kerf_world* world, kerf_body body, uint32_t piece, int is_solid,
+                                          kerf_body* now);
+KERF_API kerf_result kerf_piece_set_hidden(kerf_world* world, kerf_body body, uint32_t piece, int is_hidden,
+                                           kerf_body* now);
+KERF_API kerf_result kerf_piece_set_fixed(kerf_world* world, kerf_body body, uint32_t piece, int is_fixed,
+                                          kerf_body* now);
+/* Renames it. name: UTF-8. */
+KERF_API kerf_result kerf_piece_rename(kerf_world* world, kerf_body body, uint32_t piece, const char* name);
+/* Removes it from the world. */
+KERF_API kerf_result kerf_piece_remove(kerf_world* world, kerf_body body, uint32_t piece);
+
+/* Sets the environment of simulations; a step of the history.
+ * gravity: m/s^2; by default (0, -9.81, 0).
+ * ground: height of a plane on which bodies rest [m]; null: none. */
+KERF_API kerf_result kerf_world_set_environment(kerf_world* world, const double gravity[3],
+                                                const double* ground);
+
+/* Simulates all bodies as rigid bodies, and the cooling of hot faces. Pieces that were cut off become bodies
+ * (see kerf_detached). Time advances in ticks of 1/120 s; the rest of `seconds` is kept for the next call.
+ * All simulation since the last other step of the history is one step.
+ * seconds: 0 to 3600.
+ * options: may be null; the call cannot be cancelled.
+ * Errors: KERF_INVALID_ARGUMENT for another number. */
+KERF_API kerf_result kerf_world_simulate(kerf_world* world, double seconds, const kerf_call_options* options);
 
 /* Pose of the beam at a time. */
 typedef struct kerf_keyframe {
@@ -265,11 +359,13 @@ typedef struct kerf_cut_settings {
   int max_level;              /* maximum refinement level, 0 to 24; 0: no refinement */
   int reserved;               /* 0 */
   const char* material;       /* new material of all bodies, a name from `kerf materials`; null: unchanged */
+  const kerf_body* bodies;    /* the only bodies to cut; null: all visible ones */
+  size_t body_count;
 } kerf_cut_settings;
 #define KERF_CUT_SETTINGS_INIT                                                                 \
   {                                                                                            \
     sizeof(kerf_cut_settings), KERF_RIM_FACES, KERF_SCHEME_LONGEST_EDGE, KERF_MODEL_GEOMETRIC, \
-        KERF_RESOLUTION_DEFAULT, 0, 0, 0, 0, NULL                                              \
+        KERF_RESOLUTION_DEFAULT, 0, 0, 0, 0, NULL, NULL, 0                                     \
   }
 
 /* Results of a cut. */
@@ -335,7 +431,7 @@ typedef struct kerf_stroke_progress {
   { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0 }
 
 /* Executes a part of the stroke: at least one unit of work, and more until a budget is used up. A unit is a
- * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.3 ms.
+ * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.4 ms.
  * max_faces: target for the number of faces created and removed; SIZE_MAX: no limit.
  * max_seconds: target for the duration [s], >= 0; INFINITY: no limit.
  * progress: receives the progress; may be null.
@@ -349,7 +445,22 @@ KERF_API kerf_result kerf_stroke_step(kerf_world* world, size_t max_faces, doubl
  * Errors: KERF_INVALID_ARGUMENT if there is no stroke. Cost: proportional to what the stroke changed. */
 KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 
-/* Pieces and surfaces
+/* Undo
+ * ------------------------------------------------------------------------------------------------------ */
+
+/* Undo the last step of the history, or redo the step undone last: a stroke, an added body, an edit of a
+ * piece, or the simulation since the last other step. The world is restored to the bit.
+ * done: receives 1, or 0 if there is nothing to undo or redo; may be null.
+ * Errors: KERF_FAILED if the step is no longer stored (see kerf_world_set_undo_memory). Cost: proportional
+ * to what the step changed. */
+KERF_API kerf_result kerf_world_undo(kerf_world* world, int* done);
+KERF_API kerf_result kerf_world_redo(kerf_world* world, int* done);
+
+/* Limits the memory for undo; the oldest steps are discarded first.
+ * bytes: 256 MiB by default; 0: no step can be undone. */
+KERF_API kerf_result kerf_world_set_undo_memory(kerf_world* world, size_t bytes);
+
+/* Pieces and faces
  * ------------------------------------------------------------------------------------------------------ */
 
 /* Returns the pieces of all bodies as meshes in world coordinates, largest area first.
@@ -362,6 +473,101 @@ KERF_API kerf_result kerf_world_pieces(const kerf_world* world, const kerf_call_
 
 /* Frees an array of pieces and its meshes. No-op if `pieces` is null. */
 KERF_API void kerf_pieces_free(kerf_mesh** pieces, size_t count);
+
+/* Writes the ids of all bodies, in the order of their creation.
+ * out: receives at most `capacity` ids; may be null if capacity is 0.
+ * count: receives the number of all bodies. O(bodies). */
+KERF_API kerf_result kerf_world_bodies(const kerf_world* world, kerf_body* out, size_t capacity,
+                                       size_t* count);
+
+/* Writes the indices of the faces of a body, ascending.
+ * out: receives at most `capacity` indices; may be null if capacity is 0.
+ * count: receives the number of all faces.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(faces). */
+KERF_API kerf_result kerf_body_faces(const kerf_world* world, kerf_body body, uint32_t* out, size_t capacity,
+                                     size_t* count);
+
+/* Writes data of faces of a body, as for a vertex buffer.
+ * faces: n indices of faces that exist.
+ * corners: receives three positions a face, counter-clockwise seen from outside [m, in the frame of the
+ *   body]: 9 n numbers.
+ * pieces: receives n labels.
+ * materials: receives n indices of materials of the mesh.
+ * is_cut: receives n numbers, 1 for a wall that a cut made in a solid, else 0.
+ * The last four may be null.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such body or face. About 10 ns per face. */
+KERF_API kerf_result kerf_body_get_faces(const kerf_world* world, kerf_body body, const uint32_t* faces,
+                                         size_t n, double* corners, uint32_t* pieces, uint16_t* materials,
+                                         uint8_t* is_cut);
+
+/* Changes
+ * ------------------------------------------------------------------------------------------------------ */
+
+/* Flags of kerf_body_changes. */
+#define KERF_BODY_CREATED 1u    /* new; all faces are listed as added */
+#define KERF_BODY_DESTROYED 2u  /* no longer exists; no faces are listed */
+#define KERF_BODY_MOVED 4u      /* position or orientation */
+#define KERF_BODY_PROPERTIES 8u /* name, mass, solidity, or whether it is fixed */
+#define KERF_BODY_VISIBILITY 16u
+
+/* A piece that was cut off. */
+typedef struct kerf_new_piece {
+  uint32_t piece; /* its label */
+  uint32_t from;  /* that of the piece it was cut off from; KERF_NO_PIECE if unknown */
+} kerf_new_piece;
+
+/* Changes of a body. Faces ascend; each is in at most one list. */
+typedef struct kerf_body_changes {
+  kerf_body body;
+  uint32_t flags; /* KERF_BODY_... */
+  uint32_t reserved;
+  size_t added_count;
+  const uint32_t* added; /* faces that are new or have other corners */
+  const uint32_t* added_pieces;
+  size_t removed_count;
+  const uint32_t* removed; /* faces that no longer exist; some may be unknown to the client */
+  size_t moved_count;
+  const uint32_t* moved; /* other faces whose piece changed */
+  const uint32_t* moved_pieces;
+  size_t new_piece_count;
+  const kerf_new_piece* new_pieces; /* labels that have faces now and had none */
+  size_t destroyed_piece_count;
+  const uint32_t* destroyed_pieces; /* labels that had faces and have none now */
+} kerf_body_changes;
+
+/* A piece that moved to another body, e.g. because it began to fall or was edited. The smaller side, the
+ * piece or the rest, has a created body, in which face i is the i-th of its faces, in the order of their
+ * indices before. The larger side keeps its indices. */
+typedef struct kerf_detached {
+  kerf_body from, to;
+  uint32_t piece;       /* the label, in both */
+  uint32_t keeps_faces; /* 1: the piece is the larger side, so faces of `from` are now those of `to`, by the
+                          same indices; 0: they remain those of `from` */
+} kerf_detached;
+
+/* Changes of a world. A client that mirrors it applies: destroyed bodies; then `detached` in order, by moving
+ * the mirror of `from` to `to` where keeps_faces is 1; then the other bodies, replacing created ones, first
+ * removed faces, then added ones. */
+typedef struct kerf_changes {
+  size_t size;
+  int everything; /* 1: any part of the world may have changed, and the lists are empty: read it again */
+  int reserved;
+  size_t body_count;
+  const kerf_body_changes* bodies; /* destroyed ones first */
+  size_t detached_count;
+  const kerf_detached* detached;
+} kerf_changes;
+#define KERF_CHANGES_INIT \
+  { sizeof(kerf_changes), 0, 0, 0, NULL, 0, NULL }
+
+/* Returns all changes since the last call for this world. The first call answers `everything`, as does one
+ * after a failed call, or after more changes than a log holds. May be called between steps of a stroke.
+ * out: its size is set; its arrays are valid until the next call for this world.
+ * About 60 ns per changed face, whatever the size of the world, plus the pieces of changed bodies. */
+KERF_API kerf_result kerf_world_take_changes(kerf_world* world, kerf_changes* out);
+
+/* Hits
+ * ------------------------------------------------------------------------------------------------------ */
 
 /* Points of visible surfaces: `count` entries in each array, of 3 numbers for vectors. Free them with
  * kerf_hits_free. */

@@ -11,7 +11,6 @@
 #include "core/base/platform.h"
 #include "core/document/command_queue.h"
 #include "core/document/document.h"
-#include "core/document/material_table.h"
 #include "core/document/stroke_path.h"
 
 namespace kerf {
@@ -119,6 +118,7 @@ Status check(const kerf_cut_settings& s) {
 CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, kerf_assist assist,
                         double diagonal) {
   CutSettings settings = default_settings(stroke, diagonal);
+  for (size_t i = 0; i < s.body_count; ++i) settings.bodies.push_back(from_api(s.bodies[i]));
   if (assist == KERF_ASSIST_OXYGEN) settings.laser.assist = Assist::kOxygen;
   if (s.model == KERF_MODEL_THERMAL) settings.model = Model::kThermal;
   Resolution& resolution = settings.resolution;
@@ -145,30 +145,6 @@ CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, ke
   return settings;
 }
 
-Result<Substance> substance_named(const std::string& name) {
-  const auto materials = load_materials(assets_folder() / "materials.json");
-  if (!materials) return materials.error();
-  if (const Material* material = find_material(*materials, name)) return material->substance;
-  std::string names;
-  for (const Material& material : *materials) names += (names.empty() ? "" : ", ") + material.name;
-  return bad_input("material: \"" + name + "\" is unknown; use one of: " + names);
-}
-
-bool has_substance(const World& world, const Substance& substance) {
-  return std::ranges::all_of(world.ids(),
-                             [&](BodyId id) { return world.body(id).sheet.substance == substance; });
-}
-
-// Returns the same world with a new material of all bodies.
-Document of_material(const Document& document, const Substance& substance) {
-  World world = document.world();
-  for (const BodyId id : world.ids()) {
-    world.body(id).sheet.substance = substance;
-    world.body(id).sheet.density = substance.density;
-  }
-  return Document(std::move(world));
-}
-
 // Returns an error if lengths derived from the size of the world, or from the radius, are unusable.
 Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   const auto is_usable = [](double length) { return std::isfinite(length) && length > 0; };
@@ -190,6 +166,12 @@ Status check_usable(const CutSettings& s, size_t number, double diagonal) {
 Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, const kerf_stroke* strokes,
                                                        size_t count, const kerf_cut_settings& settings) {
   if (!world.bounds && count > 0) return bad_input("the world has no mesh; add one before a cut");
+  if (settings.bodies != nullptr && settings.body_count == 0)
+    return bad_input("bodies: must not be an empty list; null cuts all bodies");
+  for (size_t i = 0; i < settings.body_count; ++i) {
+    const auto body = body_of(world.document.world(), settings.bodies[i]);
+    if (!body) return body.error();
+  }
   const double diagonal = world.bounds ? world.bounds->diagonal() : 0;
   std::vector<StrokeCommands> all;
   const auto* next = reinterpret_cast<const std::byte*>(strokes);
@@ -211,6 +193,7 @@ Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, 
 Result<kerf_cut_settings> read_settings(const kerf_cut_settings* given) {
   auto settings = read_struct(given, KERF_CUT_SETTINGS_INIT, "settings");
   if (!settings) return settings;
+  if (settings->bodies == nullptr) settings->body_count = 0;
   if (const Status valid = check(*settings); !valid) return valid.error();
   return settings;
 }
@@ -225,72 +208,84 @@ void begin_job(kerf_world& world, const Command& first) {
 
 namespace {
 
-Status cut_one(Document& document, std::span<const Command> stroke, const Progress& progress, CutJob& job) {
+Status cut_one(kerf_world& world, std::span<const Command> stroke, const Progress& progress) {
   using Clock = std::chrono::steady_clock;
-  job.begin_stroke();
+  Document& document = world.document;
+  world.job.begin_stroke();
   for (const Command& command : stroke) {
     document.apply(command);
-    job.steps += std::holds_alternative<MoveBeam>(command);
+    world.job.steps += std::holds_alternative<MoveBeam>(command);
   }
   auto began = Clock::now();
   QueueRun how;
   how.progress = &progress;
   how.told = [&](const Result<StepResult>& step) -> Status {
     if (!step) return step.error();
-    job.record_step(*step, document.world(), std::chrono::duration<double>(Clock::now() - began).count());
+    world.changes.record(document.world(), step->delta);
+    world.job.record_step(*step, document.world(),
+                          std::chrono::duration<double>(Clock::now() - began).count());
     began = Clock::now();
     return Done{};
   };
   const Status cut = run_queue(document, how);
-  if (cut) job.end_stroke();
+  if (cut) world.job.end_stroke();
+  if (cut) world.keep_job();
   return cut;
 }
 
-// Executes all strokes or none.
-Status cut_each(Document& document, std::span<const StrokeCommands> strokes, const Progress& progress,
-                CutJob& job) {
-  const size_t position = document.history().position();
+// Sets the material of all pieces.
+Status set_material(kerf_world& world, const Substance& substance, const Progress& progress) {
+  std::vector<SetSheetProperties> edits;
+  for (const BodyId id : world.document.world().ids()) {
+    const Body& body = world.document.world().body(id);
+    if (body.sheet.substance == substance) continue;
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces > 0)
+        edits.push_back({{id, label}, {body.sheet.thickness, substance.density, substance}});
+    }
+  }
+  Delta all;
+  for (SetSheetProperties& edit : edits) {
+    edit.piece = id_after(all, edit.piece);
+    auto delta = apply_edit(world, edit, progress);
+    if (!delta) return delta.error();
+    all.append(std::move(*delta));
+  }
+  return Done{};
+}
+
+Status cut_each(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
+                const Progress& progress) {
+  if (material != nullptr) {
+    const auto substance = substance_named(material);
+    if (!substance) return substance.error();
+    if (const Status set = set_material(world, *substance, progress); !set) return set;
+  }
+  if (!strokes.empty()) begin_job(world, strokes.front().commands.front());
   const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
   for (size_t i = 0; i < strokes.size(); ++i) {
     const double done = share * static_cast<double>(i);
     const Progress own = share_of(&progress, done, std::min(1.0, done + share));
-    const Status cut = cut_one(document, strokes[i].commands, own, job);
-    if (cut) continue;
-    const Outcome back = document.travel(position);
-    return back.ok() ? cut : back.error();
+    if (const Status cut = cut_one(world, strokes[i].commands, own); !cut) return cut;
   }
   return Done{};
 }
 
 // Executes all strokes or none, and keeps before-images for as long as they may be needed.
-Status cut_all(Document& document, std::span<const StrokeCommands> strokes, const Progress& progress,
-               CutJob& job) {
+Status cut_all(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
+               const Progress& progress) {
+  Document& document = world.document;
+  const size_t position = document.history().position(), window = document.history().window();
   document.set_window(std::numeric_limits<size_t>::max());
   document.set_face_budget(usual_face_budget(machine_memory()));
-  const Status done = cut_each(document, strokes, progress, job);
-  document.set_window(0);
-  return done;
-}
-
-Status cut(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
-           const Progress& progress) {
-  Document& document = world.document;
-  std::optional<Document> other;
-  std::optional<Substance> substance;
-  if (material != nullptr) {
-    const auto named = substance_named(material);
-    if (!named) return named.error();
-    if (!has_substance(document.world(), *named)) substance = *named;
-    if (substance) other = of_material(document, *substance);
+  Status done = cut_each(world, strokes, material, progress);
+  if (!done && document.history().position() != position) {
+    world.changes.lose();
+    const Outcome back = document.travel(position);
+    if (!back.ok()) done = back.error();
   }
-  if (!strokes.empty()) begin_job(world, strokes.front().commands.front());
-  if (const Status done = cut_all(other ? *other : document, strokes, progress, world.job); !done)
-    return done;
-  if (!other) return Done{};
-  if (!document.journal().empty()) world.initial_state.mark_unrecorded();
-  world.initial_state.set_substance(*substance);
-  document = std::move(*other);
-  return Done{};
+  document.set_window(window);
+  return done;
 }
 
 // Executes all strokes or none. Returns the results, without the time.
@@ -302,7 +297,7 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
   if (!commands) return commands.error();
   const CutJob before = world.job;
   const nlohmann::ordered_json settings_before = world.settings;
-  const Status done = cut(world, *commands, settings->material, progress);
+  const Status done = cut_all(world, *commands, settings->material, progress);
   if (done)
     return kerf_cut_result{0, world.job.removed_faces - before.removed_faces,
                            world.job.removed_area - before.removed_area, 0};

@@ -9,11 +9,13 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/api/change_log.h"
 #include "core/base/geometry.h"
 #include "core/base/parallel.h"
 #include "core/base/result.h"
@@ -101,33 +103,24 @@ void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const Surface
 // Returns the mesh in the form of a file's content.
 Soup soup_of(const kerf_mesh& mesh);
 
-// The initial state in the journal of a world: the bodies of the scene that was opened, followed by the
-// added bodies in their initial state. A world has no journal once it is changed after a cut in a way that
-// the journal cannot represent.
-class InitialState {
- public:
-  void open(SceneDescription scene) { scene_ = std::move(scene); }
-  void add(const kerf_mesh& mesh, const std::string& name) { added_.push_back({mesh, name}); }
-  // Records a new material of all bodies.
-  void set_substance(const Substance& substance);
-  // Records that the journal no longer reproduces the world.
-  void mark_unrecorded() { unrecorded_ = true; }
+// A body that was added from memory.
+struct AddedBody {
+  std::shared_ptr<const kerf_mesh> mesh;
+  std::string name;
+  Placement placement;
+  Sheet sheet;
+  bool solid = false, hidden = false, pinned = false;
+  uint32_t slot = 0;  // of the body in its world
 
-  // Writes the journal of the document, and next to it the added meshes. Returns a bad-input error if there
-  // is no journal; fails if a file cannot be written.
-  Status save(const Document& document, const std::filesystem::path& file) const;
-
- private:
-  struct Added {
-    kerf_mesh mesh;
-    std::string name;
-  };
-
-  SceneDescription scene_;
-  std::vector<Added> added_;
-  Sheet sheet_;  // of the added bodies
-  bool unrecorded_ = false;
+  Result<Body> create(const Progress* progress) const;
 };
+
+// The bodies added to a world, by the index of their command in its journal.
+using AddedBodies = std::map<size_t, AddedBody>;
+
+// Writes the journal of a world: the commands that were not undone, and next to it a mesh file per body added
+// from memory. Returns a bad-input error if the world has no body; fails if a file cannot be written.
+Status save_journal_of(const kerf_world& world, const std::filesystem::path& file);
 
 // The calls that use a world: one that changes it, or any number that read it.
 class WorldUsers {
@@ -154,21 +147,33 @@ struct RunningStroke {
   double begin_time;  // of its first key [s]
   CutJob before;      // the job of the world before the stroke
   nlohmann::ordered_json settings_before;
-  size_t position;  // of the history before the stroke
+  size_t position, window;  // of the history before the stroke
   bool ended = false;
 };
 
 }  // namespace kerf
 
-// The world of the C interface: a document that keeps no history between cuts.
+// The world of the C interface.
 struct kerf_world {
+  static constexpr size_t kUndoMemory = size_t{256} << 20;
+
+  kerf_world() { document.set_window(kUndoMemory); }
+
+  // Keeps the job at the present position of the history, for undo and redo.
+  void keep_job();
+  void restore_job();
+
   kerf::Document document;
-  kerf::InitialState initial_state;
-  kerf::CutJob job;                           // cuts of the library, for the report
-  nlohmann::ordered_json settings = nullptr;  // of the first cut
+  kerf::SceneDescription scene;  // that was opened; empty for a new world
+  kerf::AddedBodies added;
+  double time_left = 0;                           // of a tick, not simulated yet [s]
+  kerf::CutJob job;                               // cuts of the library, for the report
+  nlohmann::ordered_json settings = nullptr;      // of the first cut
+  std::vector<std::optional<kerf::CutJob>> jobs;  // by position of the history, without durations
   // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.
   std::optional<kerf::World::Bounds> bounds;
   std::optional<kerf::RunningStroke> stroke;
+  kerf::ChangeLog changes;
   mutable kerf::WorldUsers users;
 };
 
@@ -183,6 +188,10 @@ kerf_result read_world(const kerf_world* world, const kerf_call_options* options
 kerf_result change_world(kerf_world* world, const kerf_call_options* options,
                          const std::function<Status(const Progress&)>& work);
 
+// Likewise, but also while a stroke uses it.
+kerf_result use_exclusively(kerf_world* world, const kerf_call_options* options,
+                            const std::function<Status(const Progress&)>& work);
+
 // Likewise for work on a stroke that is cut in steps; fails if there is none.
 kerf_result change_stroke(kerf_world* world, const std::function<Status(RunningStroke&)>& work);
 
@@ -196,10 +205,25 @@ inline BodyId from_api(kerf_body body) {
   return {static_cast<uint32_t>(body), static_cast<uint32_t>(body >> 32)};
 }
 
+// Returns a body, or an error if there is none.
+Result<const Body*> body_of(const World& world, kerf_body body);
+
 // Returns the unit normal of a triangle; zero if it has no area.
 Vec3 unit_normal(const Triangle& t);
 
 // Internal functions of cuts.
+
+// Applies a command that executes immediately, and records its changes. Returns these.
+Result<Delta> apply_edit(kerf_world& world, const Command& command, const Progress& progress);
+
+// Returns a piece as a mesh in world coordinates. Precondition: it has these faces.
+std::unique_ptr<kerf_mesh> mesh_of_piece(const Body& body, std::span<const FaceId> faces);
+
+// Returns the pieces of all bodies, largest area first.
+Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, const Progress& progress);
+
+// Returns a material of the table, or an error that lists their names.
+Result<Substance> substance_named(const std::string& name);
 
 // Appends a key to a path. `where`: begins the message of an error.
 Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& path);

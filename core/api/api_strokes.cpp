@@ -19,12 +19,17 @@ Status begin_stroke(kerf_world& world, const kerf_stroke* stroke, const kerf_cut
   const auto settings = read_settings(given);
   if (!settings) return settings.error();
   if (settings->material != nullptr)
-    return bad_input("material: must be null for a stroke in steps; set it before the stroke");
+    return bad_input("material: must be null for a stroke in steps; set it on the bodies");
   auto all = stroke_commands_of(world, stroke, 1, *settings);
   if (!all) return all.error();
   auto& [path, commands] = all->front();
   std::get<BeginStroke>(commands.front()).settings.faces_per_step = kFacesAtOnce;
-  RunningStroke running{std::move(path), 0, world.job, world.settings, world.document.history().position()};
+  RunningStroke running{std::move(path),
+                        0,
+                        world.job,
+                        world.settings,
+                        world.document.history().position(),
+                        world.document.history().window()};
   running.begin_time = running.last.times.front();
   begin_job(world, commands.front());
   world.job.begin_stroke();
@@ -57,7 +62,7 @@ Status end_stroke(kerf_world& world, RunningStroke& stroke) {
 }
 
 void leave_stroke(kerf_world& world) {
-  world.document.set_window(0);
+  world.document.set_window(world.stroke->window);
   world.stroke.reset();
 }
 
@@ -65,6 +70,7 @@ void leave_stroke(kerf_world& world) {
 Status cancel_stroke(kerf_world& world, RunningStroke& stroke) {
   const bool exists = world.document.history().position() > stroke.position;
   const Outcome back = exists ? world.document.cancel_stroke() : Outcome();
+  world.changes.record(world.document.world(), back.delta);
   world.job = std::move(stroke.before);
   world.settings = std::move(stroke.settings_before);
   leave_stroke(world);
@@ -87,8 +93,10 @@ Status step_stroke(kerf_world& world, RunningStroke& stroke, size_t max_faces, d
     if (!some) {
       const Error error = some.error();
       (void)cancel_stroke(world, stroke);
+      world.changes.lose();
       return error;
     }
+    world.changes.record(document.world(), some->delta);
     world.job.record_step(*some, document.world(), seconds_since(begun));
     progress.faces += some->statistics.faces_made + some->delta.removed_faces + some->delta.solid.wall_faces;
     if (progress.faces >= max_faces || seconds_since(begin) >= max_seconds) break;
@@ -100,6 +108,7 @@ Status step_stroke(kerf_world& world, RunningStroke& stroke, size_t max_faces, d
   progress.removed_area = world.job.removed_area - stroke.before.removed_area;
   if (progress.is_finished) {
     world.job.end_stroke();
+    world.keep_job();
     leave_stroke(world);
   }
   progress.seconds = seconds_since(begin);

@@ -110,49 +110,6 @@ kerf_result Call::run(const std::function<Status(const Progress&)>& work) {
   }
 }
 
-void InitialState::set_substance(const Substance& substance) {
-  const auto give = [&](Sheet& sheet) {
-    sheet.substance = substance;
-    sheet.density = substance.density;
-  };
-  for (SceneBody& body : scene_.bodies) give(body.sheet);
-  give(sheet_);
-}
-
-Status InitialState::save(const Document& document, const std::filesystem::path& file) const {
-  if (unrecorded_)
-    return bad_input(
-        "the world has no journal because a body was added or the material changed after a cut; save the "
-        "scene instead");
-  if (document.world().ids().empty() && document.journal().empty())
-    return bad_input("the world has no mesh; add one before its journal is saved");
-  // If the journal cannot be written, its meshes must not be either.
-  std::error_code error;
-  const auto type = std::filesystem::status(file, error).type();
-  if (!file.has_filename() ||
-      (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found))
-    return bad_input("path: must name a file, not a folder");
-  SceneDescription scene = scene_;
-  scene.strokes.clear();  // which are commands of the document
-  for (const auto& [mesh, name] : added_) {
-    char ending[24];
-    std::snprintf(ending, sizeof ending, "-mesh-%04zu.obj", scene.bodies.size() + 1);
-    SceneBody body;
-    body.mesh = file.parent_path() / (file.stem().string() + ending);
-    body.name = name;
-    body.sheet = sheet_;
-    const MeshView view{mesh.positions, mesh.triangles, mesh.materials, mesh.material_names, {}, {},
-                        mesh.colours};
-    if (const Status written = write_mesh(view, body.mesh, MeshFormat::kObj); !written) return written;
-    scene.bodies.push_back(std::move(body));
-  }
-  if (const Status noted = record_hashes(scene); !noted) return noted;
-  std::vector<StateMark> marks;
-  // An opened journal may end within a stroke.
-  if (!document.queue().in_stroke() && document.waiting() == 0) marks.push_back(state_mark(document));
-  return save_journal(file, scene, document.journal(), marks);
-}
-
 bool WorldUsers::begin_reading() {
   int users = users_.load(std::memory_order_relaxed);
   while (users != kChanging) {
@@ -178,70 +135,48 @@ kerf_result read_world(const kerf_world* world, const kerf_call_options* options
   return result;
 }
 
-kerf_result change_world(kerf_world* world, const kerf_call_options* options,
-                         const std::function<Status(const Progress&)>& work) {
+kerf_result use_exclusively(kerf_world* world, const kerf_call_options* options,
+                            const std::function<Status(const Progress&)>& work) {
   if (world == nullptr) return set_error(KERF_INVALID_ARGUMENT, "world: must not be null");
   if (!world->users.begin_changing())
     return set_error(KERF_BUSY,
                      "the world is in use by another call; try again after that call has returned");
-  const kerf_result result =
-      world->stroke ? set_error(KERF_BUSY, "a stroke is being cut in steps; finish or cancel it first")
-                    : Call(options).run(work);
+  const kerf_result result = Call(options).run(work);
   world->users.end_changing();
   return result;
+}
+
+kerf_result change_world(kerf_world* world, const kerf_call_options* options,
+                         const std::function<Status(const Progress&)>& work) {
+  bool in_stroke = false;
+  const kerf_result result = use_exclusively(world, options, [&](const Progress& progress) -> Status {
+    in_stroke = world->stroke.has_value();
+    if (in_stroke) return failed("a stroke is being cut in steps; finish or cancel it first");
+    return work(progress);
+  });
+  return in_stroke ? KERF_BUSY : result;
 }
 
 kerf_result change_stroke(kerf_world* world, const std::function<Status(RunningStroke&)>& work) {
-  if (world == nullptr) return set_error(KERF_INVALID_ARGUMENT, "world: must not be null");
-  if (!world->users.begin_changing())
-    return set_error(KERF_BUSY,
-                     "the world is in use by another call; try again after that call has returned");
-  const kerf_result result =
-      world->stroke ? Call(nullptr).run([&](const Progress&) { return work(*world->stroke); })
-                    : set_error(KERF_INVALID_ARGUMENT, "no stroke is being cut in steps; begin one first");
-  world->users.end_changing();
-  return result;
+  return use_exclusively(world, nullptr, [&](const Progress&) -> Status {
+    if (!world->stroke) return bad_input("no stroke is being cut in steps; begin one first");
+    return work(*world->stroke);
+  });
 }
 
 namespace {
-
-void grow(std::optional<World::Bounds>& bounds, const World::Bounds& by) {
-  if (!bounds) bounds = by;
-  bounds->min = glm::min(bounds->min, by.min);
-  bounds->max = glm::max(bounds->max, by.max);
-}
-
-bool is_utf8(const std::string& text) { return dump_json(nlohmann::ordered_json(text), -1).ok(); }
-
-// Adds a body by replacing the document, which ends its history: the library has no undo.
-Status add_body(kerf_world& to, const kerf_mesh& mesh, const char* given_name, const Progress& progress) {
-  const std::string name = given_name == nullptr ? "mesh" : given_name;
-  if (!is_utf8(name)) return bad_input("name: must be UTF-8");
-  ProgressShares shares(&progress);
-  const Progress building = shares.next(0.5), growing = shares.next(0.5);
-  auto built = build_mesh(soup_of(mesh), &building);
-  if (!built) return built.error();
-  const MeshReport loaded = built->report;
-  auto body = make_body(name, std::move(*built), &growing);
-  if (!body) return body.error();
-  World world = to.document.world();
-  world.add(std::move(*body));
-  to.initial_state.add(mesh, name);
-  if (!to.document.journal().empty()) to.initial_state.mark_unrecorded();
-  to.job.record_loaded(loaded);
-  grow(to.bounds, world.bounds());
-  to.document = Document(std::move(world));
-  return Done{};
-}
 
 Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   ProgressShares shares(&progress);
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
   auto file = open_file(path, &opening);
   if (!file) return file.error();
-  to.initial_state.open(file->scene);
+  to.scene = file->scene;
+  to.scene.strokes.clear();  // which are commands of the document
   Document& document = to.document;
+  const size_t window = document.history().window();
   document = Document(std::move(file->scene.world));
+  document.set_window(window);
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   const double diagonal = to.bounds->diagonal();
@@ -253,50 +188,6 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   how.progress = &replaying;
   how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
   return Replay(file->journal, document).run(how);
-}
-
-// A piece of a body, and its faces.
-struct Part {
-  const Body* body;
-  std::vector<FaceId> faces;
-};
-
-void set_piece_mass(const Extract& e, const Body& body, kerf_mesh_info& info) {
-  const MassProperties mass = mass_of(e, body.sheet);
-  info.mass = mass.mass;
-  const glm::dmat3& m = mass.inertia;
-  const std::array<double, 6> inertia{m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
-  std::copy(inertia.begin(), inertia.end(), info.inertia);
-}
-
-std::unique_ptr<kerf_mesh> mesh_of(const Part& part) {
-  Extract e = extract_faces(*part.body, part.faces);
-  auto mesh = std::make_unique<kerf_mesh>();
-  mesh->name = part.body->name_of(part.body->label(part.faces.front()));
-  set_piece_mass(e, *part.body, mesh->info);
-  mesh->info.area = e.area;
-  mesh->info.boundary_edges = e.boundary_edges;
-  mesh->info.volume = e.volume.value_or(0);
-  mesh->info.is_closed = e.volume.has_value();
-  const Placement& placement = part.body->placement;
-  for (int k = 0; k < 3; ++k) {
-    mesh->info.centroid[k] = e.centroid[k];
-    mesh->info.position[k] = placement.position[k];
-  }
-  const glm::dquat& q = placement.orientation;
-  const std::array<double, 4> orientation{q.w, q.x, q.y, q.z};
-  std::copy(orientation.begin(), orientation.end(), mesh->info.orientation);
-  const Body& body = *part.body;
-  for (const FaceId f : part.faces)
-    mesh->temperatures.push_back(
-        body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
-  mesh->positions = std::move(e.positions);
-  mesh->triangles = std::move(e.triangles);
-  mesh->colours = std::move(e.colours);
-  mesh->materials = std::move(e.materials);
-  mesh->material_names = body.material_names;
-  if (body.looks) set_looks(*mesh, looks_of(body, part.faces, LookNormals::kSmooth), body.looks->surfaces());
-  return mesh;
 }
 
 // Copies a text for kerf_text_free.
@@ -327,21 +218,6 @@ WrittenPiece as_written(const kerf_mesh& mesh) {
   return piece;
 }
 
-// Returns the pieces, largest area first.
-Result<std::vector<std::unique_ptr<kerf_mesh>>> pieces_of(const World& world, const Progress& progress) {
-  std::vector<Part> parts;
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    for (auto& faces : faces_by_piece(body, false)) parts.push_back({&body, std::move(faces)});
-  }
-  std::vector<std::unique_ptr<kerf_mesh>> pieces(parts.size());
-  if (!for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) { pieces[i] = mesh_of(parts[i]); }))
-    return cancelled();
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const auto& a, const auto& b) { return a->info.area > b->info.area; });
-  return pieces;
-}
-
 }  // namespace
 }  // namespace kerf
 
@@ -366,35 +242,6 @@ kerf_result kerf_world_open(const char* path, const kerf_call_options* options, 
 
 void kerf_world_destroy(kerf_world* world) { delete world; }
 
-kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const char* name,
-                           const kerf_call_options* options) {
-  if (mesh == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh: must not be null");
-  return kerf::change_world(world, options, [&](const kerf::Progress& progress) {
-    return kerf::add_body(*world, *mesh, name, progress);
-  });
-}
-
-kerf_result kerf_world_pieces(const kerf_world* world, const kerf_call_options* options, kerf_mesh*** out,
-                              size_t* count) {
-  if (out == nullptr || count == nullptr)
-    return kerf::set_error(KERF_INVALID_ARGUMENT, "out and count: must not be null");
-  return kerf::read_world(
-      world, options, [&](const kerf::Document& document, const kerf::Progress& progress) -> kerf::Status {
-        auto pieces = kerf::pieces_of(document.world(), progress);
-        if (!pieces) return pieces.error();
-        auto list = std::make_unique<kerf_mesh*[]>(pieces->size());
-        for (size_t i = 0; i < pieces->size(); ++i) list[i] = (*pieces)[i].release();
-        *count = pieces->size();
-        *out = list.release();
-        return kerf::Done{};
-      });
-}
-
-void kerf_pieces_free(kerf_mesh** pieces, size_t count) {
-  for (size_t i = 0; pieces != nullptr && i < count; ++i) delete pieces[i];
-  delete[] pieces;
-}
-
 kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
   if (folder == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "folder: must not be null");
   return kerf::read_world(world, nullptr,
@@ -408,8 +255,8 @@ kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
 
 kerf_result kerf_world_save_journal(const kerf_world* world, const char* path) {
   if (path == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "path: must not be null");
-  return kerf::read_world(world, nullptr, [&](const kerf::Document& document, const kerf::Progress&) {
-    return world->initial_state.save(document, path);
+  return kerf::read_world(world, nullptr, [&](const kerf::Document&, const kerf::Progress&) {
+    return kerf::save_journal_of(*world, path);
   });
 }
 

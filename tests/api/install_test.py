@@ -48,6 +48,7 @@ def check_outside_programs(prefix, folder):
     with open(os.path.join(folder, 'CMakeLists.txt'), 'w', encoding='utf-8') as text:
         text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.2 REQUIRED)\n'
                    f'add_executable(outside {EXAMPLES}/outside.cpp)\ntarget_link_libraries(outside PRIVATE kerf::core)\n'
+                   f'add_executable(live_cut {EXAMPLES}/live_cut.cpp)\ntarget_link_libraries(live_cut PRIVATE kerf::core)\n'
                    f'add_executable(outside_c {EXAMPLES}/outside.c)\ntarget_link_libraries(outside_c PRIVATE kerf::c)\n'
                    f'add_executable(engine {EXAMPLES}/engine_extension.c)\ntarget_link_libraries(engine PRIVATE kerf::c m)\n'
                    'target_compile_options(engine PRIVATE -Wall -Wextra -Werror)\n'
@@ -58,6 +59,7 @@ def check_outside_programs(prefix, folder):
     run('cmake', '--build', build)
     said = run(os.path.join(build, 'outside'), SPHERE)
     assert said.count(' kg') == 2, said
+    assert 'per changed face' in run(os.path.join(build, 'live_cut'), '60')
     assert run(os.path.join(build, 'outside_c')) == '2 pieces\n'
     masses = [float(line.split(', ')[1].split()[0]) for line in run(os.path.join(build, 'engine')).splitlines()]
     # The box has 10 m2 of sheet at 7.85 kg; the slot takes four strips of 2 cm by one metre from it.

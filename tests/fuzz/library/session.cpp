@@ -81,7 +81,7 @@ Session::Session(ByteSource& bytes, std::filesystem::path folder)
   kerf_world* made = nullptr;
   checked(kerf_mesh_create(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &plate));
   checked(kerf_world_create(&made));
-  require(kerf_world_add(made, plate, nullptr, nullptr) == KERF_OK, "a plate that cannot be added");
+  require(kerf_world_add(made, plate, nullptr, nullptr, nullptr) == KERF_OK, "a plate that cannot be added");
   keep(plate);
   keep(made);
 }
@@ -210,7 +210,8 @@ int Session::on_progress(double share, void* user) {
     char hash[17];
     const kerf_result asked = checked(kerf_world_hash(patience.calls_with, hash));
     require(asked == KERF_OK || asked == KERF_BUSY, "a query within a call that is neither done nor busy");
-    require(checked(kerf_world_add(patience.calls_with, nullptr, nullptr, nullptr)) == KERF_INVALID_ARGUMENT,
+    require(checked(kerf_world_add(patience.calls_with, nullptr, nullptr, nullptr, nullptr)) ==
+                KERF_INVALID_ARGUMENT,
             "null");
     require(checked(kerf_world_cut(patience.calls_with, nullptr, 0, nullptr, nullptr, nullptr)) == KERF_BUSY,
             "a world that is changed while it is in use");
@@ -371,7 +372,14 @@ void Session::add() {
   const kerf_mesh* added = mesh();
   const char* given = or_null(name.c_str());
   const kerf_call_options* how = control(to);
-  change(to, [&] { return kerf_world_add(to, added, given, how); });
+  kerf_body_desc desc = KERF_BODY_DESC_INIT;
+  desc.name = given;
+  desc.is_solid = chance(4);
+  desc.is_hidden = chance(8);
+  for (double* member : {&desc.thickness, &desc.density, &desc.position[0], &desc.orientation[0]})
+    if (chance(16)) *member = number();
+  kerf_body body = KERF_NO_BODY;
+  change(to, [&] { return kerf_world_add(to, added, or_null(&desc), how, &body); });
 }
 
 void Session::cut() {

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/kerf.h"
+#include "tests/api/sheets.h"
+
+namespace kerf::test {
+namespace {
+
+TEST(Bodies, have_the_properties_of_their_description) {
+  World world;
+  BodyDesc desc;
+  desc.name = "plate";
+  desc.position = {1, 2, 3};
+  desc.orientation = {0, 1, 0, 0};
+  desc.material = "copper";
+  desc.thickness = 0.002;
+  desc.is_fixed = true;
+  const BodyId body = world.add(sheet(4), desc);
+  const kerf_body_info info = world.info(body);
+  EXPECT_STREQ(info.name, "plate");
+  EXPECT_STREQ(info.material, "copper");
+  EXPECT_EQ(info.position[2], 3);
+  EXPECT_EQ(info.orientation[1], 1);
+  EXPECT_EQ(info.thickness, 0.002);
+  EXPECT_NEAR(info.density, 8900, 100);
+  EXPECT_EQ(info.face_count, 32u);
+  EXPECT_EQ(info.piece_count, 1u);
+  EXPECT_TRUE(info.is_fixed && !info.is_solid && !info.is_hidden);
+  EXPECT_NEAR(world.piece(body, 0).info().mass, 0.002 * info.density, 1e-9);
+  world.set_sheet(body, 0, "", 0.003, 1000);
+  EXPECT_NEAR(world.piece(body, 0).info().mass, 3, 1e-9);
+  world.rename(body, 0, "sheet");
+  EXPECT_STREQ(world.info(body).name, "sheet");
+  world.set_hidden(body, 0, true);
+  EXPECT_TRUE(world.info(body).is_hidden);
+  EXPECT_EQ(world.cut(through_the_middle()).removed_faces, 0u);
+  world.remove(body, 0);
+  EXPECT_TRUE(world.bodies().empty());
+  EXPECT_THROW((void)world.info(body), InvalidArgument);
+  EXPECT_THROW((void)world.corners(body, {}), InvalidArgument);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(world.undo());
+  EXPECT_STREQ(world.info(body).name, "plate");
+  EXPECT_EQ(world.info(body).thickness, 0.002);
+}
+
+TEST(Bodies, reject_bad_values) {
+  World world;
+  const auto rejects = [&](auto change) {
+    BodyDesc desc;
+    change(desc);
+    EXPECT_THROW(world.add(sheet(1), desc), InvalidArgument);
+  };
+  rejects([](BodyDesc& d) { d.material = "cheese"; });
+  rejects([](BodyDesc& d) { d.thickness = 0; });
+  rejects([](BodyDesc& d) { d.density = -1; });
+  rejects([](BodyDesc& d) { d.position[1] = NAN; });
+  rejects([](BodyDesc& d) { d.orientation[0] = 2; });
+  EXPECT_TRUE(world.bodies().empty());
+  const BodyId body = world.add(sheet(1));
+  EXPECT_THROW(world.move(body, 1, {0, 0, 0}), InvalidArgument);
+  EXPECT_THROW(world.move(body + 1, 0, {0, 0, 0}), InvalidArgument);
+  EXPECT_THROW((void)world.piece(body, 7), InvalidArgument);
+  EXPECT_THROW(world.simulate(-1), InvalidArgument);
+  EXPECT_THROW(world.cut(through_the_middle(), {.bodies = {body + 1}}), InvalidArgument);
+}
+
+TEST(Bodies, a_solid_is_closed_by_walls) {
+  World world;
+  BodyDesc desc;
+  desc.is_solid = true;
+  const BodyId body = world.add(box(2), desc);
+  EXPECT_NEAR(world.piece(body, 0).info().volume, 1, 1e-9);
+  EXPECT_EQ(world.piece(body, 0).euler_number(), 2);
+  Stroke stroke = through_the_middle();
+  stroke.keys[0].origin[1] = stroke.keys[1].origin[1] = 2;
+  stroke.range = {0, 4};
+  const std::string before = world.hash();
+  // Cancelled at any moment, also while walls are added.
+  for (int steps = 1;; steps += steps / 2 + 1) {
+    world.begin_stroke(stroke, {.rim = KERF_RIM_SMOOTH});
+    world.end_stroke();
+    bool finished = false;
+    for (int i = 0; i < steps && !finished; ++i) finished = world.step_stroke(0, 0).is_finished;
+    if (finished) break;
+    world.cancel_stroke();
+    ASSERT_EQ(world.hash(), before) << "after " << steps << " steps";
+  }
+  const std::vector<Mesh> pieces = world.pieces();
+  ASSERT_EQ(pieces.size(), 2u);
+  for (const Mesh& piece : pieces) {
+    EXPECT_TRUE(piece.info().is_closed);
+    EXPECT_NEAR(piece.info().volume, 0.49, 1e-9);
+    EXPECT_NEAR(piece.info().mass, 0.49 * 7850, 1e-6);
+    EXPECT_EQ(piece.euler_number(), 2);
+  }
+  const Hits hit = world.nearest_hits(std::vector<double>{0.5, 0.5, 0.5}, std::vector<double>{1, 0, 0});
+  EXPECT_TRUE(hit.is_cut[0]);
+  EXPECT_NEAR(hit.distances[0], 0.01, 1e-12);
+}
+
+TEST(Bodies, only_those_named_are_cut) {
+  World world;
+  const BodyId lower = world.add(sheet(10), "lower");
+  BodyDesc above;
+  above.position[1] = 0.5;
+  const BodyId upper = world.add(sheet(10), above);
+  world.cut(through_the_middle(), {.bodies = {lower}});
+  EXPECT_EQ(world.info(lower).piece_count, 2u);
+  EXPECT_EQ(world.info(upper).piece_count, 1u);
+  EXPECT_EQ(world.info(upper).face_count, 200u);
+  const std::string file = testing::TempDir() + "kerf-named.kerf";
+  world.save_journal(file);
+  EXPECT_EQ(World(file).hash(), world.hash());
+}
+
+TEST(Bodies, fall_and_return_by_undo) {
+  World world;
+  BodyDesc desc;
+  desc.is_fixed = true;
+  const BodyId body = world.add(sheet(10), desc);
+  world.cut(through_the_middle());
+  const std::string cut = world.hash();
+  for (int i = 0; i < 50; ++i) world.simulate(0.01);
+  EXPECT_EQ(world.bodies().size(), 2u);
+  const BodyId fallen = world.bodies()[0] == body ? world.bodies()[1] : world.bodies()[0];
+  EXPECT_NEAR(world.info(fallen).velocity[1], -9.81 * 0.5, 0.2);
+  EXPECT_NEAR(world.info(fallen).position[1], -9.81 / 8, 0.1);
+  EXPECT_EQ(world.info(body).position[1], 0);
+  const std::string file = testing::TempDir() + "kerf-fallen.kerf";
+  world.save_journal(file);
+  EXPECT_EQ(World(file).hash(), world.hash());
+  EXPECT_TRUE(world.undo());
+  EXPECT_EQ(world.hash(), cut);
+  EXPECT_TRUE(world.redo());
+  EXPECT_TRUE(world.undo() && world.undo() && world.undo());
+  EXPECT_FALSE(world.undo());
+  EXPECT_TRUE(world.bodies().empty());
+  EXPECT_TRUE(world.redo() && world.redo());
+  EXPECT_EQ(world.hash(), cut);
+  world.set_undo_memory(0);
+  EXPECT_THROW(world.undo(), Error);
+}
+
+TEST(Bodies, a_journal_contains_what_was_not_undone) {
+  World world;
+  BodyDesc desc;
+  desc.position[0] = 3;
+  desc.is_solid = true;
+  world.add(sheet(2), "undone");
+  world.undo();
+  world.add(sheet(10), "first");
+  world.add(box(2), desc);
+  world.cut(through_the_middle(), {.material = "copper"});
+  world.cut(through_the_middle());
+  world.undo();
+  desc.position = {0, 0.2, 0};
+  desc.material = "pmma";
+  desc.is_hidden = true;
+  const BodyId later = world.add(sheet(4), desc);
+  world.set_hidden(later, 0, false);
+  world.cut(through_the_middle(), {.bodies = {later}});
+  const std::string file = testing::TempDir() + "kerf-later.kerf";
+  world.save_journal(file);
+  World again(file);
+  EXPECT_EQ(again.hash(), world.hash());
+  EXPECT_EQ(again.pieces().size(), world.pieces().size());
+  for (size_t i = 0; i < again.pieces().size(); ++i)
+    EXPECT_EQ(again.pieces()[i].info().mass, world.pieces()[i].info().mass);
+}
+
+TEST(Bodies, many_are_added_and_undone) {
+  World world;
+  const std::string empty = world.hash();
+  const Mesh mesh = sheet(2);
+  for (int i = 0; i < 200; ++i) world.add(mesh);
+  EXPECT_EQ(world.bodies().size(), 200u);
+  while (world.undo()) {
+  }
+  EXPECT_EQ(world.hash(), empty);
+  while (world.redo()) {
+  }
+  EXPECT_EQ(world.bodies().size(), 200u);
+}
+
+}  // namespace
+}  // namespace kerf::test

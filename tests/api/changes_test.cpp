@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <map>
+#include <random>
+#include <span>
+
+#include "core/kerf.h"
+#include "tests/api/sheets.h"
+
+namespace kerf::test {
+namespace {
+
+struct Face {
+  std::array<double, 9> corners;
+  uint32_t piece;
+  friend bool operator==(const Face&, const Face&) = default;
+};
+using MirroredBody = std::map<uint32_t, Face>;
+using Mirror = std::map<BodyId, MirroredBody>;
+
+void fetch(const World& world, BodyId body, std::span<const uint32_t> faces, MirroredBody& to) {
+  const std::vector<double> corners = world.corners(body, faces);
+  const std::vector<uint32_t> pieces = world.piece_labels(body, faces);
+  for (size_t i = 0; i < faces.size(); ++i) {
+    Face& face = to[faces[i]];
+    std::copy_n(&corners[9 * i], 9, face.corners.begin());
+    face.piece = pieces[i];
+  }
+}
+
+Mirror fetch_all(const World& world) {
+  Mirror mirror;
+  for (const BodyId body : world.bodies()) fetch(world, body, world.faces(body), mirror[body]);
+  return mirror;
+}
+
+// Applies the changes since the last call, as kerf_changes tells it. Returns the number of changed faces.
+size_t update(World& world, Mirror& mirror) {
+  const Changes changes = world.take_changes();
+  if (changes.everything) {
+    mirror = fetch_all(world);
+    return 0;
+  }
+  size_t count = 0;
+  const std::span bodies(changes.bodies, changes.body_count);
+  for (const kerf_body_changes& b : bodies) {
+    if (b.flags & KERF_BODY_DESTROYED) mirror.erase(b.body);
+  }
+  for (const kerf_detached& d : std::span(changes.detached, changes.detached_count)) {
+    if (d.keeps_faces) mirror[d.to] = std::exchange(mirror[d.from], {});
+  }
+  for (const kerf_body_changes& b : bodies) {
+    if (b.flags & KERF_BODY_DESTROYED) continue;
+    MirroredBody& own = mirror[b.body];
+    if (b.flags & KERF_BODY_CREATED) own.clear();
+    for (const uint32_t f : std::span(b.removed, b.removed_count)) own.erase(f);
+    fetch(world, b.body, {b.added, b.added_count}, own);
+    for (size_t i = 0; i < b.added_count; ++i) EXPECT_EQ(own.at(b.added[i]).piece, b.added_pieces[i]);
+    for (size_t i = 0; i < b.moved_count; ++i) own.at(b.moved[i]).piece = b.moved_pieces[i];
+    count += b.added_count + b.removed_count + b.moved_count;
+  }
+  return count;
+}
+
+Stroke random_stroke(std::mt19937& random) {
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  Stroke stroke;
+  stroke.keys = {{0, {between(-0.2, 1.2), 2, -0.2}, {0, -1, 0}},
+                 {1, {between(-0.2, 1.2), 2, 1.2}, {0, -1, 0}}};
+  stroke.radius = between(0.01, 0.03);
+  stroke.range = {0, 4};
+  return stroke;
+}
+
+// Changes a world at random.
+void change(World& world, std::mt19937& random) {
+  const std::vector<BodyId> bodies = world.bodies();
+  const BodyId body = bodies[random() % bodies.size()];
+  const uint32_t piece = world.piece_labels(body, std::array{world.faces(body).back()})[0];
+  switch (random() % 8) {
+    case 0:
+    case 1:
+      world.cut(random_stroke(random), {.rim = random() % 2 ? KERF_RIM_SMOOTH : KERF_RIM_FACES});
+      break;
+    case 2:
+      world.begin_stroke(random_stroke(random));
+      for (auto i = random() % 20; i > 0; --i) world.step_stroke(100, 1);
+      if (random() % 2) return world.cancel_stroke();
+      world.end_stroke();
+      world.step_stroke(std::numeric_limits<size_t>::max(), std::numeric_limits<double>::infinity());
+      break;
+    case 3:
+      world.move(body, piece, {0, 0.1, 0});
+      break;
+    case 4:
+      world.simulate(0.02);
+      break;
+    case 5:
+      world.undo();
+      break;
+    case 6:
+      world.redo();
+      break;
+    default:
+      BodyDesc desc;
+      desc.position[1] = 3.0 * double(1 + random() % 100);
+      world.add(sheet(3), desc);
+  }
+}
+
+TEST(Changes, a_mirror_that_applies_them_equals_the_world) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    World world;
+    world.add(sheet(20));
+    Mirror mirror;
+    update(world, mirror);
+    for (int i = 0; i < 30; ++i) {
+      for (auto k = random() % 3; k > 0; --k) change(world, random);
+      if (random() % 3 == 0) continue;
+      update(world, mirror);
+      ASSERT_EQ(mirror, fetch_all(world)) << "after " << i << " changes";
+    }
+  }
+}
+
+TEST(Changes, between_steps_of_a_stroke_are_only_those_of_the_steps) {
+  World world;
+  world.add(sheet(50));
+  Mirror mirror;
+  update(world, mirror);
+  EXPECT_EQ(update(world, mirror), 0u);
+  world.begin_stroke(through_the_middle());
+  world.end_stroke();
+  size_t total = 0;
+  for (bool finished = false; !finished;) {
+    finished = world.step_stroke(300, 1).is_finished;
+    total += update(world, mirror);
+    ASSERT_EQ(mirror, fetch_all(world));
+  }
+  EXPECT_GT(total, 1000u);
+}
+
+TEST(Changes, pieces_are_created_and_destroyed) {
+  World world;
+  const BodyId body = world.add(sheet(20));
+  EXPECT_TRUE(world.take_changes().everything);
+  world.cut(through_the_middle());
+  Changes changes = world.take_changes();
+  ASSERT_EQ(changes.body_count, 1u);
+  EXPECT_EQ(changes.bodies->body, body);
+  ASSERT_EQ(changes.bodies->new_piece_count, 1u);
+  const uint32_t piece = changes.bodies->new_pieces->piece;
+  EXPECT_EQ(changes.bodies->new_pieces->from, 0u);
+  world.undo();
+  changes = world.take_changes();
+  ASSERT_EQ(changes.bodies->destroyed_piece_count, 1u);
+  EXPECT_EQ(*changes.bodies->destroyed_pieces, piece);
+  world.redo();
+  const BodyId now = world.move(body, piece, {0, 1, 0});
+  changes = world.take_changes();
+  EXPECT_NE(now, body);
+  ASSERT_EQ(changes.detached_count, 1u);
+  EXPECT_EQ(changes.detached->from, body);
+  EXPECT_EQ(changes.detached->to, now);
+  EXPECT_EQ(changes.detached->piece, piece);
+}
+
+TEST(Changes, a_detached_piece_keeps_the_order_of_its_faces) {
+  World world;
+  const BodyId body = world.add(sheet(20));
+  world.cut(through_the_middle());
+  const std::vector<uint32_t> faces = world.faces(body), labels = world.piece_labels(body, faces);
+  const uint32_t piece = *std::max_element(labels.begin(), labels.end());
+  std::vector<uint32_t> of_piece;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (labels[i] == piece) of_piece.push_back(faces[i]);
+  }
+  const std::vector<double> before = world.corners(body, of_piece);
+  world.take_changes();
+  const BodyId now = world.move(body, piece, {0, 1, 0});
+  const Changes changes = world.take_changes();
+  ASSERT_EQ(changes.detached_count, 1u);
+  EXPECT_EQ(world.corners(now, changes.detached->keeps_faces ? of_piece : world.faces(now)), before);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/document/extract.h"
 #include "core/document/piece_looks.h"
+#include "core/mesh/looks.h"
 #include "core/world/world.h"
 
 namespace kerf {
@@ -46,7 +47,7 @@ std::unique_ptr<kerf_mesh> mesh_of_piece(const Body& body, std::span<const FaceI
   mesh->colours = std::move(e.colours);
   mesh->materials = std::move(e.materials);
   mesh->material_names = body.material_names;
-  if (body.looks) set_looks(*mesh, looks_of(body, part.faces, LookNormals::kSmooth), body.looks->surfaces());
+  if (body.looks) set_looks(*mesh, looks_of(body, faces, LookNormals::kSmooth), body.looks->surfaces());
   return mesh;
 }
 

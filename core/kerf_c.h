@@ -431,7 +431,8 @@ typedef struct kerf_stroke_progress {
   { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0 }
 
 /* Executes a part of the stroke: at least one unit of work, and more until a budget is used up. A unit is a
- * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.4 ms.
+ * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.4 ms. With
+ * the thermal model a unit is a move to the next pose.
  * max_faces: target for the number of faces created and removed; SIZE_MAX: no limit.
  * max_seconds: target for the duration [s], >= 0; INFINITY: no limit.
  * progress: receives the progress; may be null.
@@ -619,10 +620,10 @@ KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const do
 /* Frees hits and resets all members but the size. No-op if `hits` is null or was never filled. */
 KERF_API void kerf_hits_free(kerf_hits* hits);
 
-/* Writes the bodies with their poses as a scene that the editor opens: one OBJ file per body and
+/* Writes the visible bodies with their poses as a scene that the editor opens: one OBJ file per body and
  * scene.json. Does not write temperatures.
  * folder: created if missing; files of these names in it are replaced.
- * Errors: KERF_INVALID_ARGUMENT if the world has no face, KERF_FAILED if a file cannot be written.
+ * Errors: KERF_INVALID_ARGUMENT if no face is visible, KERF_FAILED if a file cannot be written.
  * O(n log n). */
 KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder);
 

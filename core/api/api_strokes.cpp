@@ -77,6 +77,21 @@ Status cancel_stroke(kerf_world& world, RunningStroke& stroke) {
   return back.ok() ? Status(Done{}) : back.error();
 }
 
+// Executes a unit of work. If it fails, also for lack of memory, cancels the stroke.
+Result<StepResult> step_or_cancel(kerf_world& world, RunningStroke& stroke) {
+  try {
+    Result<StepResult> some = world.document.step(kMovesAtOnce);
+    if (some) return some;
+    (void)cancel_stroke(world, stroke);
+    world.changes.lose();
+    return some;
+  } catch (...) {
+    world.changes.lose();
+    (void)cancel_stroke(world, stroke);
+    throw;
+  }
+}
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
@@ -89,13 +104,8 @@ Status step_stroke(kerf_world& world, RunningStroke& stroke, size_t max_faces, d
   Document& document = world.document;
   while (document.waiting() > 0) {
     const auto begun = Clock::now();
-    const Result<StepResult> some = document.step(kMovesAtOnce);
-    if (!some) {
-      const Error error = some.error();
-      (void)cancel_stroke(world, stroke);
-      world.changes.lose();
-      return error;
-    }
+    const Result<StepResult> some = step_or_cancel(world, stroke);
+    if (!some) return some.error();
     world.changes.record(document.world(), some->delta);
     world.job.record_step(*some, document.world(), seconds_since(begun));
     progress.faces += some->statistics.faces_made + some->delta.removed_faces + some->delta.solid.wall_faces;

@@ -242,13 +242,15 @@ void kerf_world_destroy(kerf_world* world) { delete world; }
 
 kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder) {
   if (folder == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "folder: must not be null");
-  return kerf::read_world(world, nullptr,
-                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
-                            if (document.world().live_faces() == 0)
-                              return kerf::bad_input("the world has no face to save");
-                            const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
-                            return saved ? kerf::Status(kerf::Done{}) : saved.error();
-                          });
+  return kerf::read_world(
+      world, nullptr, [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+        const kerf::World& in = document.world();
+        const auto has_faces = [&](kerf::BodyId id) { return in.body(id).mesh.live_faces() > 0; };
+        if (std::ranges::none_of(kerf::cuttable(in), has_faces))
+          return kerf::bad_input("the world has no visible face to save");
+        const auto saved = kerf::save_world_as_scene(document.world(), {}, folder);
+        return saved ? kerf::Status(kerf::Done{}) : saved.error();
+      });
 }
 
 kerf_result kerf_world_save_journal(const kerf_world* world, const char* path) {

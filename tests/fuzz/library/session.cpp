@@ -376,7 +376,8 @@ void Session::add() {
   desc.name = given;
   desc.is_solid = chance(4);
   desc.is_hidden = chance(8);
-  for (double* member : {&desc.thickness, &desc.density, &desc.position[0], &desc.orientation[0]})
+  if (chance(4)) desc.position[0] = bytes_.between(-5, 5);  // a far mesh loses its faces in a file
+  for (double* member : {&desc.thickness, &desc.density, &desc.orientation[0]})
     if (chance(16)) *member = number();
   kerf_body body = KERF_NO_BODY;
   change(to, [&] { return kerf_world_add(to, added, or_null(&desc), how, &body); });
@@ -405,7 +406,10 @@ void Session::cut_in_steps() {
   kerf_world* in = world();
   const std::string before = hash_of(in);
   const kerf_stroke begin = stroke();
-  const kerf_cut_settings set = settings();
+  kerf_cut_settings set = settings();
+  // A move of the thermal model is one unit, of any number of faces.
+  const int geometric = KERF_MODEL_GEOMETRIC;
+  std::memcpy(&set.model, &geometric, sizeof geometric);
   if (checked(kerf_stroke_begin(in, or_null(&begin), or_null(&set))) != KERF_OK) return;
   kerf_stroke_progress progress = KERF_STROKE_PROGRESS_INIT;
   const kerf_stroke more = stroke();
@@ -426,8 +430,10 @@ void Session::cut_in_steps() {
   require(kerf_stroke_end(in) == KERF_OK, "a stroke that cannot be ended");
   kerf_result result = KERF_OK;
   progress.is_finished = 0;
-  while (result == KERF_OK && progress.is_finished == 0)
-    result = checked(kerf_stroke_step(in, 5000, 1, &progress));
+  for (int i = 0; i < kMaxPatience && result == KERF_OK && progress.is_finished == 0; ++i)
+    result = checked(kerf_stroke_step(in, 500, 1, &progress));
+  if (result == KERF_OK && progress.is_finished == 0)
+    require(kerf_stroke_cancel(in) == KERF_OK, "a stroke that cannot be cancelled");
   require(checked(kerf_stroke_cancel(in)) == KERF_INVALID_ARGUMENT, "a stroke that is not finished");
 }
 

@@ -78,7 +78,8 @@ static rigid_body* cut(const kerf_mesh* mesh, const kerf_stroke* stroke, size_t*
   *count = 0;
   settings.rim = KERF_RIM_SMOOTH;
   one_thread.threads = 1; /* the engine needs the other cores */
-  if (kerf_world_create(&world) != KERF_OK || kerf_world_add(world, mesh, "mesh", &one_thread) != KERF_OK ||
+  if (kerf_world_create(&world) != KERF_OK ||
+      kerf_world_add(world, mesh, NULL, &one_thread, NULL) != KERF_OK ||
       kerf_world_cut(world, stroke, 1, &settings, &one_thread, NULL) != KERF_OK ||
       kerf_world_pieces(world, &one_thread, &pieces, &made) != KERF_OK) {
     fprintf(stderr, "engine_extension: %s\n", kerf_last_error());

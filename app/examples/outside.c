@@ -20,8 +20,10 @@ int main(void) {
   stroke.key_count = 2;
   stroke.radius = 0.01;
   stroke.range[1] = 10;
+  kerf_body_desc description = KERF_BODY_DESC_INIT;
+  description.name = "square";
   int bad = ended(kerf_mesh_create(vertices, 4, faces, 2, &square)) || ended(kerf_world_create(&world)) ||
-            ended(kerf_world_add(world, square, "square", NULL)) ||
+            ended(kerf_world_add(world, square, &description, NULL, NULL)) ||
             ended(kerf_world_cut(world, &stroke, 1, NULL, NULL, NULL)) ||
             ended(kerf_world_pieces(world, NULL, &pieces, &count));
   if (!bad) printf("%zu pieces\n", count);

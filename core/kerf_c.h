@@ -231,8 +231,8 @@ typedef struct kerf_body_desc {
 /* Adds a copy of a mesh as a new body, and builds its AABB tree. A step of the history.
  * desc, options: may be null.
  * body: receives the id; may be null.
- * Errors: KERF_INVALID_ARGUMENT for an invalid description. O(n log n), about 0.5 us per face, and O(bodies)
- * for the history. */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid description, or a mesh wider than 1e150 m. O(n log n), about
+ * 0.5 us per face, and O(bodies) for the history. */
 KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const kerf_body_desc* desc,
                                     const kerf_call_options* options, kerf_body* body);
 

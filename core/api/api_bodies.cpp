@@ -15,6 +15,9 @@ namespace kerf {
 
 namespace {
 
+// The width of a mesh whose squared lengths are finite [m].
+constexpr double kMaxSize = 1e150;
+
 // The table of materials, read once.
 const Result<std::vector<Material>>& materials() {
   static const Result<std::vector<Material>> table = load_materials(assets_folder() / "materials.json");
@@ -155,6 +158,7 @@ Result<Body> AddedBody::create(const Progress* progress) const {
   if (!built) return built.error();
   auto body = make_body(name, std::move(*built), &growing);
   if (!body) return body;
+  if (!(body->bounds().diagonal() <= kMaxSize)) return bad_input("mesh: must be at most 1e150 m wide");
   body->placement = placement;
   body->sheet = sheet;
   body->hidden = hidden;

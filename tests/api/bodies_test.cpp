@@ -58,6 +58,8 @@ TEST(Bodies, reject_bad_values) {
   rejects([](BodyDesc& d) { d.density = -1; });
   rejects([](BodyDesc& d) { d.position[1] = NAN; });
   rejects([](BodyDesc& d) { d.orientation[0] = 2; });
+  const std::vector<double> huge{0, 0, 0, 1e160, 0, 0, 0, 0, 1e160};
+  EXPECT_THROW(world.add(Mesh(huge, std::vector<uint32_t>{0, 1, 2})), InvalidArgument);
   EXPECT_TRUE(world.bodies().empty());
   const BodyId body = world.add(sheet(1));
   EXPECT_THROW(world.move(body, 1, {0, 0, 0}), InvalidArgument);

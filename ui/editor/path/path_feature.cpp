@@ -102,8 +102,8 @@ constexpr const char* kEmpty = "The path has no points.";
 
 std::string summary(const PathWork& path, const ViewState& view) {
   if (path.empty())
-    return with_shortcut(view, "Click points on a surface with the Path tool,", "tool.path") +
-           " or load a path file.";
+    return with_shortcut(view, "Click points on a surface with the Path tool", "tool.path") +
+           ", or load a path file.";
   double way = 0, seconds = 0;
   for (const StrokePath& stroke : path.strokes()) {
     way += way_of(stroke);

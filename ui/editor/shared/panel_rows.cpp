@@ -40,7 +40,7 @@ std::string title_case(std::string words) {
 // Draws the states as radio buttons in a row. Returns the one that was clicked, or the present one.
 size_t select_state(const ViewSwitch& s, size_t state) {
   for (size_t i = 0; i < s.states.size(); ++i) {
-    ImGui::SameLine();
+    if (i > 0) ImGui::SameLine();
     if (ImGui::RadioButton(title_case(s.states[i]).c_str(), state == i)) state = i;
     mark_last_item(s.report, static_cast<int>(i));
     tooltip(s.tip);
@@ -88,8 +88,11 @@ bool draw_switch(ViewState& view, SwitchId id, const char* label) {
     state = on ? 1 : 0;
   } else {
     ImGui::PushID(s.report);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.c_str());
+    if (label == nullptr || *label != '\0') {  // otherwise the row has a label of its own
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextUnformatted(text.c_str());
+      ImGui::SameLine();
+    }
     state = select_state(s, state);
     ImGui::PopID();
   }

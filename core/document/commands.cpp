@@ -204,7 +204,8 @@ Result<Delta> SimplifyPiece::run(World& world, uint32_t generation, const Progre
   return remesh_piece(
       world, piece, generation,
       [&](const Mesh& mesh, const TrackedFaces& tracked, const Progress* working) {
-        return simplify(mesh, target, {tracked.kept, tracked.is_seam}, working, tracked.warm);
+        return simplify(mesh, target, {tracked.kept, tracked.is_seam, tracked.uv_sets}, working,
+                        tracked.warm);
       },
       progress);
 }

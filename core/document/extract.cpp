@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "core/base/assert.h"
 #include "core/edit/body_edit.h"
@@ -92,6 +93,24 @@ std::function<bool(FaceId, FaceId)> seam_test(const Body& body, const PieceCopy&
                  other = body.loaded_source(copy.faces[b.index]);
     return one.valid() && other.valid() && body.looks->has_seam(one, other);
   };
+}
+
+// Returns the UVs of the faces of a piece, by set.
+std::vector<std::vector<FaceUvs>> uv_sets_of(const Body& body, const PieceCopy& copy) {
+  std::vector<std::vector<FaceUvs>> sets(body.looks ? body.looks->uv_sets() : 0);
+  for (size_t set = 0; set < sets.size(); ++set) {
+    for (uint32_t f = 0; f < copy.faces.size(); ++f) {
+      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+      FaceUvs& uvs = sets[set].emplace_back();
+      uvs.fill(glm::dvec2(kNone));
+      const FaceId source = body.loaded_source(copy.faces[f]);
+      if (!source.valid() || !body.looks->has_uvs(set, source)) continue;
+      const Triangle corners = copy.mesh.triangle(FaceId(f));
+      for (size_t i = 0; i < 3; ++i)
+        uvs[i] = body.looks->uv(set, {source, body.looks->barycentrics(source, corners[i])});
+    }
+  }
+  return sets;
 }
 
 // Copies the joints; the new faces of the piece carry those within it.
@@ -233,7 +252,7 @@ Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generati
   const Progress working = shares.next(0.6), making = shares.next(0.4);
   const PieceCopy copy = copy_piece(body, piece.label);
   const TrackedFaces tracked{carrying_faces(world.joints(), *within, copy), warm_faces(body.heat, copy.mesh),
-                             seam_test(body, copy)};
+                             seam_test(body, copy), uv_sets_of(body, copy)};
   auto remeshed = remake(copy.mesh, tracked, &working);
   if (!remeshed) return remeshed.error();
   if (remeshed->triangles.empty()) return failed(piece_words(piece) + " would have no faces left");

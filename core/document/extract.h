@@ -36,6 +36,7 @@ struct TrackedFaces {
   std::vector<FaceId> kept;                     // must not change
   std::vector<FaceId> warm;                     // store heat, or once did
   std::function<bool(FaceId, FaceId)> is_seam;  // see RemeshLimits
+  std::vector<std::vector<FaceUvs>> uv_sets;    // see RemeshLimits
 };
 
 using Remake =

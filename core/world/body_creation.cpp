@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include "core/base/assert.h"
 #include "core/mesh/mesh.h"
@@ -26,13 +27,14 @@ void sort_by_loaded_face(Remeshed& r, const PieceCopy& copy) {
   std::iota(order.begin(), order.end(), uint32_t{0});
   const auto loaded = [&](uint32_t t) { return copy.loaded[r.origins[t].index]; };
   std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return loaded(a) < loaded(b); });
-  Remeshed sorted;
-  for (const uint32_t t : order) {
-    sorted.triangles.push_back(r.triangles[t]);
-    sorted.origins.push_back(r.origins[t]);
-  }
-  r.triangles = std::move(sorted.triangles);
-  r.origins = std::move(sorted.origins);
+  const auto sort = [&](auto& items) {
+    std::decay_t<decltype(items)> sorted;
+    for (const uint32_t t : order) sorted.push_back(items[t]);
+    items = std::move(sorted);
+  };
+  sort(r.triangles);
+  sort(r.origins);
+  for (std::vector<FaceUvs>& set : r.uv_sets) sort(set);
 }
 
 // Converts parts of loaded faces to parts of the triangles, which are sorted by loaded face.

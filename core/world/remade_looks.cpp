@@ -28,7 +28,8 @@ class Transfer {
     soup.triangles = remeshed_.triangles;
     soup.surfaces = looks_.surfaces();
     soup.looks.v_points_down = looks_.v_points_down();
-    for (size_t set = 0; set < looks_.uv_sets(); ++set) {
+    for (const auto& set : remeshed_.uv_sets) soup.looks.uv_sets.push_back(carried(set));
+    for (size_t set = soup.looks.uv_sets.size(); set < looks_.uv_sets(); ++set) {
       soup.looks.uv_sets.push_back(channel<glm::vec2>(
           looks_.uv_charts(set), [&](FaceId f) { return looks_.has_uvs(set, f); },
           [&](size_t, const Looks::Point& point) { return glm::vec2(looks_.uv(set, point)); }));
@@ -64,6 +65,20 @@ class Transfer {
     body_.tree.points_within(body_.mesh, at, 2 * std::sqrt(nearest->distance2) + kSideRoundings * size,
                              points);
     return points;
+  }
+
+  // Returns a set of UVs that the tool has carried.
+  static LookChannel<glm::vec2> carried(const std::vector<FaceUvs>& set) {
+    LookChannel<glm::vec2> to;
+    for (const FaceUvs& uvs : set) {
+      auto& corners = to.corners.emplace_back();
+      corners.fill(LookChannel<glm::vec2>::kNone);
+      for (size_t i = 0; i < 3 && has_uvs(uvs); ++i) {
+        corners[i] = static_cast<uint32_t>(to.values.size());
+        to.values.emplace_back(uvs[i]);
+      }
+    }
+    return to;
   }
 
   // Evaluates a channel at all corners: value(triangle, point).

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/tolerances.h"
 #include "core/mesh/measures.h"
 
 namespace kerf {
@@ -137,6 +140,148 @@ void SurfaceSamples::hand_on(std::span<const uint32_t> before, const Vec3& remov
   add(nearest(removed), removed);
 }
 
+namespace {
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+// Twice the signed area, 0 if it is within rounding of 0: of the UVs and of products of them.
+double signed_area(const FaceUvs& t) {
+  const glm::dvec2 u = t[1] - t[0], w = t[2] - t[0];
+  const auto largest = [](const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); };
+  const double area = cross(u, w), size = std::max({largest(t[0]), largest(t[1]), largest(t[2])});
+  return std::abs(area) <= kSideRoundings * size * std::max(largest(u), largest(w)) ? 0 : area;
+}
+
+// Returns true if all of `other` lies beyond a side of a triangle with this sign, or on it up to rounding.
+bool separates(const FaceUvs& t, double sign, const FaceUvs& other) {
+  for (size_t i = 0; i < 3; ++i) {
+    const glm::dvec2 side = sign * (t[(i + 1) % 3] - t[i]);
+    double highest = -std::numeric_limits<double>::infinity(), extent = glm::dot(side, side);
+    for (const glm::dvec2& p : other) {
+      highest = std::max(highest, cross(side, p - t[i]));
+      extent = std::max(extent, glm::dot(p - t[i], p - t[i]));
+    }
+    if (highest <= kOnLoadedSide * extent) return true;
+  }
+  return false;
+}
+
+// Returns true if the interiors of two triangles overlap. Precondition: both have an area.
+bool overlap(const FaceUvs& a, const FaceUvs& b) {
+  const auto sign = [](const FaceUvs& t) { return signed_area(t) < 0 ? -1.0 : 1.0; };
+  return !separates(a, sign(a), b) && !separates(b, sign(b), a);
+}
+
+bool is_changed(const FlatSurface::Opposite& side, uint32_t to) { return side.from != to && side.to != to; }
+
+}  // namespace
+
+UvStretch::UvStretch(const FlatSheets& sheets, const FlatSurface& surface)
+    : sheets_(sheets), surface_(surface) {
+  for (const std::vector<FaceUvs>& original : sheets.uv_sets) {
+    Set& set = sets_.emplace_back(Set{original, original, {}});
+    set.overlaps.resize(original.size());
+    for (uint32_t f = 0; f < original.size(); ++f) {
+      const auto& [a, b, c] = sheets.corners[f];
+      const Vec3 across = glm::cross(surface.point(b) - surface.point(a), surface.point(c) - surface.point(a));
+      if (has_uvs(original[f]) && signed_area(original[f]) != 0 && across != Vec3(0))
+        set.overlaps[f].push_back(f);
+    }
+  }
+}
+
+size_t UvStretch::corner_of(uint32_t f, uint32_t v) const {
+  const auto& corners = surface_.corners(f);
+  return corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+}
+
+// Returns the UVs of a face after its corner at a vertex has moved.
+FaceUvs UvStretch::changed(const Set& set, uint32_t f, uint32_t v, const glm::dvec2& to) const {
+  FaceUvs uvs = set.uvs[f];
+  uvs[corner_of(f, v)] = to;
+  return uvs;
+}
+
+// Returns the UV of a vertex in the chart of a ring.
+glm::dvec2 UvStretch::target(const Set& set, uint32_t to, const Ring& ring) const {
+  const auto shared =
+      std::ranges::find_if(ring.sides, [&](const auto& side) { return !is_changed(side, to); });
+  KERF_ASSERT(shared != ring.sides.end());
+  return set.uvs[shared->face][corner_of(shared->face, to)];
+}
+
+// Collects in around_ the original faces that the faces of a ring overlap, each once.
+void UvStretch::collect_overlaps(const Set& set, const Ring& ring) {
+  around_.clear();
+  for (const FlatSurface::Opposite& side : ring.sides)
+    around_.insert(around_.end(), set.overlaps[side.face].begin(), set.overlaps[side.face].end());
+  std::ranges::sort(around_);
+  around_.erase(std::ranges::unique(around_).begin(), around_.end());
+}
+
+// Compares the metrics of both faces in coordinates along two sides of the original one, in which that metric
+// is A and that of the current face B. The eigenvalues of A^-1 B are the squared singular values.
+bool UvStretch::is_within_bound(const Set& set, uint32_t original, const Triangle& corners,
+                                const FaceUvs& uvs) const {
+  const FaceUvs& from = set.original[original];
+  const glm::dvec2 u = from[1] - from[0], w = from[2] - from[0], s = uvs[1] - uvs[0], t = uvs[2] - uvs[0];
+  const double area = cross(s, t);
+  if (!(cross(u, w) * area > 0)) return false;
+  const Vec3 p = corners[1] - corners[0], q = corners[2] - corners[0];
+  const Vec3 b1 = (cross(u, t) * p + cross(s, u) * q) / area, b2 = (cross(w, t) * p + cross(s, w) * q) / area;
+  const auto& [i, j, k] = sheets_.corners[original];
+  const Vec3 a1 = surface_.point(j) - surface_.point(i), a2 = surface_.point(k) - surface_.point(i);
+  const double a11 = glm::dot(a1, a1), a12 = glm::dot(a1, a2), a22 = glm::dot(a2, a2),
+               b11 = glm::dot(b1, b1), b12 = glm::dot(b1, b2), b22 = glm::dot(b2, b2);
+  const double det = glm::dot(glm::cross(a1, a2), glm::cross(a1, a2));
+  const double trace = (a22 * b11 - 2 * a12 * b12 + a11 * b22) / det,
+               product = glm::dot(glm::cross(b1, b2), glm::cross(b1, b2)) / det;
+  constexpr double kMax = kMaxUvStretch * kMaxUvStretch, kMin = 1 / kMax;
+  const auto polynomial = [&](double x) { return (x - trace) * x + product; };
+  return trace >= 2 * kMin && trace <= 2 * kMax && polynomial(kMin) >= 0 && polynomial(kMax) >= 0;
+}
+
+bool UvStretch::allows(uint32_t v, uint32_t to, const Ring& ring) {
+  return std::ranges::all_of(sets_, [&](const Set& set) { return allows(set, v, to, ring); });
+}
+
+bool UvStretch::allows(const Set& set, uint32_t v, uint32_t to, const Ring& ring) {
+  const auto has = [&](const FlatSurface::Opposite& side) { return has_uvs(set.uvs[side.face]); };
+  if (std::ranges::none_of(ring.sides, has)) return true;
+  if (!std::ranges::all_of(ring.sides, has)) return false;
+  const glm::dvec2 end = target(set, to, ring);
+  collect_overlaps(set, ring);
+  return std::ranges::all_of(ring.sides, [&](const FlatSurface::Opposite& side) {
+    if (!is_changed(side, to)) return true;
+    const FaceUvs after = changed(set, side.face, v, end);
+    const double area = signed_area(after), before = signed_area(set.uvs[side.face]);
+    if (before != 0 && !(area * before > 0)) return false;
+    Triangle corners;
+    for (size_t i = 0; i < 3; ++i) corners[i] = surface_.point(surface_.corners(side.face)[i]);
+    corners[corner_of(side.face, v)] = surface_.point(to);
+    return area == 0 || std::ranges::all_of(around_, [&](uint32_t original) {
+             return !overlap(set.original[original], after) || is_within_bound(set, original, corners, after);
+           });
+  });
+}
+
+void UvStretch::collapse(uint32_t v, uint32_t to, const Ring& ring) {
+  for (Set& set : sets_) {
+    const glm::dvec2 end = target(set, to, ring);
+    collect_overlaps(set, ring);
+    for (const FlatSurface::Opposite& side : ring.sides) {
+      std::vector<uint32_t>& own = set.overlaps[side.face];
+      own.clear();
+      if (!is_changed(side, to)) continue;
+      set.uvs[side.face] = changed(set, side.face, v, end);
+      if (!has_uvs(set.uvs[side.face]) || signed_area(set.uvs[side.face]) == 0) continue;
+      std::ranges::copy_if(around_, std::back_inserter(own), [&](uint32_t original) {
+        return overlap(set.original[original], set.uvs[side.face]);
+      });
+    }
+  }
+}
+
 void CollapseRules::look_at(uint32_t v, Ring& ring) {
   KERF_ASSERT(surface_.in_use(v));
   ring.sides.clear();
@@ -218,6 +363,7 @@ Collapser::Collapser(const Mesh& mesh, const FlatSheets& sheets, size_t faces,
     : sheets_(sheets),
       surface_(points_of(mesh, sheets), sheets.corners),
       rules_(sheets_, surface_),
+      uv_stretch_(sheets_, surface_),
       quadrics_(surface_.vertices()),
       queued_(surface_.vertices(), kNever),
       followed_(mesh, sheets.frame, sheets.faces, followed),
@@ -324,7 +470,9 @@ Collapser::Choice Collapser::best_choice(uint32_t v) {
     return a.error < b.error || (a.error == b.error && a.to < b.to);
   });
   for (const Choice& choice : choices_) {
-    if (rules_.allows(v, choice.to, ring_) && stays_near(v, choice)) return choice;
+    if (rules_.allows(v, choice.to, ring_) && stays_near(v, choice) &&
+        uv_stretch_.allows(v, choice.to, ring_))
+      return choice;
   }
   return {};
 }
@@ -359,6 +507,7 @@ void Collapser::hand_on(uint32_t v, uint32_t to) {
 
 void Collapser::collapse(uint32_t v, uint32_t to) {
   hand_on(v, to);
+  uv_stretch_.collapse(v, to, ring_);
   surface_.collapse(v, to);
   quadrics_[to] += quadrics_[v];
   left_ -= 2;

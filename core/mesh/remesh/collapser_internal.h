@@ -122,6 +122,48 @@ struct Ring {
   std::vector<uint32_t> vertices;  // each once
 };
 
+// Bounds the stretch of UVs. In the plane of a set of UVs, the faces around an inner vertex of a chart tile the
+// same region before and after its collapse. Each current face stores the original faces that it overlaps
+// there. As both maps are affine, the stretch at a texture point is given by the singular values of the map
+// from the original face to the current one that keeps UVs (P. Sander et al.: Texture mapping progressive
+// meshes, 2001); within kMaxUvStretch for all overlapping pairs, it is so at every point of the texture.
+// Original faces without area, in space or in the UVs, bound nothing.
+class UvStretch {
+ public:
+  // Both must outlive it.
+  UvStretch(const FlatSheets& sheets, const FlatSurface& surface);
+
+  // Returns the UVs of a current face.
+  const FaceUvs& uvs(size_t set, uint32_t f) const { return sets_[set].uvs[f]; }
+
+  // Returns true if the vertex of a ring may collapse onto `to`: no changed face mirrors its UVs or exceeds
+  // the bound. False if only some faces around it have UVs. Preconditions: `to` is in the ring and shares two
+  // faces with the vertex, and no seam ends at the vertex. O(1) without UVs, otherwise linear in the original
+  // faces that the ring overlaps.
+  bool allows(uint32_t v, uint32_t to, const Ring& ring);
+  // Updates the UVs and the overlaps. Preconditions: allows(v, to, ring), and the surface has not collapsed.
+  void collapse(uint32_t v, uint32_t to, const Ring& ring);
+
+ private:
+  struct Set {
+    const std::vector<FaceUvs>& original;
+    std::vector<FaceUvs> uvs;                     // by face
+    std::vector<std::vector<uint32_t>> overlaps;  // by face: original faces
+  };
+
+  size_t corner_of(uint32_t f, uint32_t v) const;
+  FaceUvs changed(const Set& set, uint32_t f, uint32_t v, const glm::dvec2& to) const;
+  glm::dvec2 target(const Set& set, uint32_t to, const Ring& ring) const;
+  void collect_overlaps(const Set& set, const Ring& ring);
+  bool allows(const Set& set, uint32_t v, uint32_t to, const Ring& ring);
+  bool is_within_bound(const Set& set, uint32_t original, const Triangle& corners, const FaceUvs& uvs) const;
+
+  const FlatSheets& sheets_;
+  const FlatSurface& surface_;
+  std::vector<Set> sets_;
+  std::vector<uint32_t> around_;  // scratch: original faces
+};
+
 // Decides which vertices may collapse onto which of their neighbours.
 class CollapseRules {
  public:
@@ -178,6 +220,7 @@ class Collapser {
   const FlatSurface& surface() const { return surface_; }
   size_t left() const { return left_; }  // faces
   double area() const;                   // in the frame of the sheets; O(faces)
+  const FaceUvs& uvs(size_t set, uint32_t f) const { return uv_stretch_.uvs(set, f); }
   std::vector<FollowedFace> followed() const { return followed_.places(sheets_.faces); }
 
   // Limits later collapses: samples that the first call takes of the surface must stay within `most` of the
@@ -220,6 +263,7 @@ class Collapser {
   const FlatSheets& sheets_;
   FlatSurface surface_;
   CollapseRules rules_;
+  UvStretch uv_stretch_;
   std::vector<Quadric> quadrics_;  // by vertex
   std::vector<double> queued_;     // by vertex: its error in the queue
   std::priority_queue<Queued, std::vector<Queued>, std::greater<>> queue_;

@@ -31,6 +31,10 @@ class FlatCopier {
       for (const uint32_t v : out_.corners[number_[f.index]]) out_.locked[v] = true;
     }
     lock_shared_positions();
+    for (const std::vector<FaceUvs>& set : limits.uv_sets) {
+      std::vector<FaceUvs>& own = out_.uv_sets.emplace_back();
+      for (const FaceId f : out_.faces) own.push_back(set[f.index]);
+    }
     return std::move(out_);
   }
 

@@ -27,6 +27,7 @@ struct FlatSheets {
   std::vector<bool> feature;                     // side 3 f + i of face f, from corner i to the next one
   std::vector<bool> locked;                      // by vertex
   std::vector<bool> shared;                      // by vertex: another vertex has the same position
+  std::vector<std::vector<FaceUvs>> uv_sets;     // by set and face
 
   // Returns the position of a vertex in the frame of the sheets. Precondition: they were made of `mesh`.
   Vec3 point(const Mesh& mesh, uint32_t v) const { return frame.scaled(mesh.position(vertices[v])); }

@@ -104,7 +104,8 @@ bool collapse_to_faces(Collapser& collapser, size_t faces) {
 }
 
 // Returns the remaining faces, with welded positions in the order of their first use.
-Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurface& surface) {
+Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const Collapser& collapser) {
+  const FlatSurface& surface = collapser.surface();
   std::vector<uint32_t> number(surface.vertices(), kNoIndex);
   std::vector<Vec3> positions;
   for (uint32_t f = 0; f < surface.faces(); ++f) {
@@ -117,10 +118,14 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const FlatSurfa
   }
   WeldedTriangles welded(positions);
   Remeshed out;
+  out.uv_sets.resize(sheets.uv_sets.size());
   for (uint32_t f = 0; f < surface.faces(); ++f) {
     if (!surface.has(f)) continue;
     const auto& [a, b, c] = surface.corners(f);
-    if (welded.add({number[a], number[b], number[c]})) out.origins.push_back(sheets.faces[f]);
+    if (!welded.add({number[a], number[b], number[c]})) continue;
+    out.origins.push_back(sheets.faces[f]);
+    for (size_t set = 0; set < out.uv_sets.size(); ++set)
+      out.uv_sets[set].push_back(collapser.uvs(set, f));
   }
   out.positions = std::move(welded.positions);
   out.triangles = std::move(welded.triangles);
@@ -177,7 +182,7 @@ Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, const 
                         ? collapse_to_error(collapser, target.error * sheets->frame.scale)
                         : collapse_to_faces(collapser, target.faces);
   if (!done || !back.report(0)) return cancelled();
-  Remeshed out = to_remeshed(mesh, *sheets, collapser.surface());
+  Remeshed out = to_remeshed(mesh, *sheets, collapser);
   out.followed = collapser.followed();
   return out;
 }

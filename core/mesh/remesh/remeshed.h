@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <span>
 #include <vector>
@@ -15,10 +17,16 @@
 
 namespace kerf {
 
-// Constraints on mesh tools: faces, and edges at UV seams, that must be preserved.
+// UVs at the corners of a face; NaN if it has none.
+using FaceUvs = std::array<glm::dvec2, 3>;
+inline bool has_uvs(const FaceUvs& uvs) { return !std::isnan(uvs[0].x); }
+
+// Constraints on mesh tools: faces, edges at UV seams and UVs that must be preserved.
 struct RemeshLimits {
   std::span<const FaceId> kept{};
   std::function<bool(FaceId, FaceId)> is_seam{};  // of two faces at an edge; null: there are no seams
+  // By set and face slot; equal at a corner for faces that no seam separates. Only for simplify().
+  std::span<const std::vector<FaceUvs>> uv_sets{};
 };
 
 // The position of a followed face after remeshing: for each of its quarters, the origin of the triangle on
@@ -34,6 +42,7 @@ struct Remeshed {
   std::vector<std::array<uint32_t, 3>> triangles;  // indices of positions
   // The face of the mesh from which each triangle derives and takes its data, ascending.
   std::vector<FaceId> origins;
+  std::vector<std::vector<FaceUvs>> uv_sets;  // by set and triangle; empty if the tool does not carry them
   // The followed faces, if triangles are not all at the places of the faces from which they derive.
   std::vector<FollowedFace> followed;
 };
@@ -69,6 +78,11 @@ struct SimplifyTarget {
 // far, both ways.
 inline constexpr double kShareForSamples = 0.6;
 
+// The maximum factor by which a simplification stretches or compresses a texture on the surface, in any
+// direction and compared with the original surface at the same UV. At 2, a texel differs as much as from the
+// next level of a mipmap.
+inline constexpr double kMaxUvStretch = 2;
+
 // Removes vertices by half-edge collapses over flat arrays, in the order of the quadric error (M. Garland, P.
 // S. Heckbert: Surface simplification using quadric error metrics, 1997). The queue is lazy: it has a lower
 // bound of the error of each vertex; its best allowed collapse is determined when it is the first.
@@ -82,6 +96,9 @@ inline constexpr double kShareForSamples = 0.6;
 // Vertices keep their positions. Features (see FlatSheets), the faces in `limits.kept`, components and
 // topology are preserved: sheets that touch are never joined. More faces than the target may therefore
 // remain. The new places of the faces in `followed` are in Remeshed::followed.
+//
+// In every set of UVs, vertices keep theirs, and a collapse that would mirror the UVs of a face or exceed
+// kMaxUvStretch anywhere on it is refused (see UvStretch). Meshes without UVs cost nothing for this.
 //
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the target
 // only: of equal errors the vertex with the lowest number comes first. Preconditions: the mesh has live

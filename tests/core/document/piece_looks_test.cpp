@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <utility>
 
@@ -13,9 +14,11 @@
 #include "core/edit/detach.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/remesh/remeshed.h"
 #include "core/world/body_mass.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/runs.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -316,6 +319,163 @@ TEST(PieceLooks, flip_normals_with_flipped_faces) {
       }
     }
   }
+}
+
+// Half of the shortest edge at each vertex.
+std::vector<double> room_around(const Soup& soup) {
+  std::vector<double> room(soup.positions.size(), 1e300);
+  for (const Soup::Triangle& t : soup.triangles) {
+    for (size_t i = 0; i < 3; ++i) {
+      const uint32_t from = t[i], to = t[(i + 1) % 3];
+      const double half = 0.5 * glm::length(soup.positions[to] - soup.positions[from]);
+      room[from] = std::min(room[from], half);
+      room[to] = std::min(room[to], half);
+    }
+  }
+  return room;
+}
+
+// A sphere of radius 1. The UVs of each half are angles from its pole on the x axis, moved at random and scaled
+// unevenly, so that the stretch varies between the faces and the middle is a seam.
+Soup in_two_halves(Soup soup, Random& random) {
+  const std::vector<double> room = room_around(soup);
+  const auto vertices = static_cast<uint32_t>(soup.positions.size());
+  LookChannel<glm::vec2> uvs;
+  for (const double side : {-1.0, 1.0}) {
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const Vec3& p = soup.positions[v];
+      const glm::dvec2 across(p.z, p.y), jitter(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
+      const double length = glm::length(across), angle = std::atan2(length, side * p.x);
+      const glm::dvec2 uv = (length > 0 ? angle / length * across : across) + room[v] * jitter;
+      uvs.values.emplace_back(side * (10 + uv.x), 3 * uv.y);
+    }
+  }
+  for (const Soup::Triangle& t : soup.triangles) {
+    uvs.corners.push_back(t);
+    if (soup.positions[t[0]].x + soup.positions[t[1]].x + soup.positions[t[2]].x < 0) continue;
+    for (uint32_t& v : uvs.corners.back()) v += vertices;
+  }
+  soup.looks.uv_sets = {uvs};
+  return soup;
+}
+
+// A face and its UVs.
+struct TexturedFace {
+  Triangle corners;
+  std::array<glm::dvec2, 3> uvs;
+
+  double area() const { return glm::determinant(glm::dmat2(uvs[1] - uvs[0], uvs[2] - uvs[0])); }
+  Vec3 weights(const glm::dvec2& uv) const {
+    const glm::dvec2 w = glm::inverse(glm::dmat2(uvs[1] - uvs[0], uvs[2] - uvs[0])) * (uv - uvs[0]);
+    return {1 - w.x - w.y, w.x, w.y};
+  }
+  Vec3 at(const Vec3& w) const { return w.x * corners[0] + w.y * corners[1] + w.z * corners[2]; }
+  // The derivative of UVs by lengths in the plane of the face.
+  glm::dmat2 derivative() const {
+    const Vec3 u = corners[1] - corners[0], w = corners[2] - corners[0], x = glm::normalize(u),
+               y = glm::normalize(w - glm::dot(w, x) * x);
+    return glm::dmat2(uvs[1] - uvs[0], uvs[2] - uvs[0]) *
+           glm::inverse(glm::dmat2(glm::dvec2(glm::length(u), 0), {glm::dot(w, x), glm::dot(w, y)}));
+  }
+};
+
+std::vector<TexturedFace> textured_faces(const Body& body) {
+  std::vector<TexturedFace> all;
+  const std::vector<FaceId> faces = live_faces(body.mesh);
+  const CornerLooks looks = looks_of(body, faces, LookNormals::kLoaded);
+  for (size_t i = 0; i < faces.size(); ++i) {
+    TexturedFace& face = all.emplace_back();
+    face.corners = body.mesh.triangle(faces[i]);
+    for (size_t k = 0; k < 3; ++k) face.uvs[k] = looks.uv_sets[0].values[looks.uv_sets[0].corners[i][k]];
+  }
+  return all;
+}
+
+// Returns the largest factor by which a map stretches or compresses.
+double largest_factor(const glm::dmat2& map) {
+  const glm::dmat2 squares = glm::transpose(map) * map;
+  const double mean = 0.5 * (squares[0][0] + squares[1][1]),
+               spread = std::hypot(0.5 * (squares[0][0] - squares[1][1]), squares[0][1]);
+  return std::sqrt(std::max(mean + spread, 1 / (mean - spread)));
+}
+
+// Compares simplified faces at random points with the original faces that contain the same UV.
+struct Stretch {
+  double worst = 0;
+  size_t mirrored = 0, compared = 0;
+};
+Stretch stretch_of(const std::vector<TexturedFace>& made, const std::vector<TexturedFace>& from,
+                   Random& random) {
+  Stretch stretch;
+  for (const TexturedFace& face : made) {
+    for (int sample = 0; sample < 12; ++sample) {
+      Vec3 weights(random.unit(), random.unit(), random.unit());
+      weights /= weights.x + weights.y + weights.z;
+      const glm::dvec2 uv = weights.x * face.uvs[0] + weights.y * face.uvs[1] + weights.z * face.uvs[2];
+      for (const TexturedFace& other : from) {
+        const Vec3 w = other.weights(uv);
+        if (!(std::min({w.x, w.y, w.z}) > 1e-6)) continue;
+        ++stretch.compared;
+        stretch.mirrored += other.area() * face.area() < 0;
+        const glm::dmat2 map = glm::inverse(face.derivative()) * other.derivative();
+        stretch.worst = std::max(stretch.worst, largest_factor(map));
+      }
+    }
+  }
+  return stretch;
+}
+
+TEST(PieceLooks, are_never_stretched_or_mirrored_by_simplification) {
+  for (uint64_t seed = 1; seed <= runs(12); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const int rings = 12 + static_cast<int>(random.below(16));
+    World world = world_of(in_two_halves(sphere(rings, 2 * rings, 1), random));
+    const BodyId before = world.ids()[0];
+    const std::vector<TexturedFace> from = textured_faces(world.body(before));
+    Document document(std::move(world));
+    ASSERT_TRUE(document.apply(SimplifyPiece{{before, 0}, {.faces = from.size() / 20}}).ok());
+    const std::vector<TexturedFace> made = textured_faces(document.world().body(document.world().ids()[0]));
+    EXPECT_LT(made.size(), from.size() / 2);
+    const Stretch stretch = stretch_of(made, from, random);
+    EXPECT_GT(stretch.compared, 11 * made.size());
+    EXPECT_EQ(stretch.mirrored, 0u);
+    EXPECT_LT(stretch.worst, kMaxUvStretch * (1 + 1e-6));
+    EXPECT_GT(stretch.worst, 0.9 * kMaxUvStretch);
+  }
+}
+
+// Both sides of the fold x = 0 have the same UVs, and no seam separates them.
+TEST(PieceLooks, mirrored_at_a_fold_stay_on_their_sides) {
+  Soup soup = grid(16, 1);
+  LookChannel<glm::vec2> uvs{{}, soup.triangles};
+  for (const Vec3& p : soup.positions) uvs.values.emplace_back(std::abs(p.x), p.z);
+  soup.looks.uv_sets = {uvs};
+  World world = world_of(soup);
+  const BodyId before = world.ids()[0];
+  Document document(std::move(world));
+  ASSERT_TRUE(document.apply(SimplifyPiece{{before, 0}, {.faces = 1}}).ok());
+  const std::vector<TexturedFace> made = textured_faces(document.world().body(document.world().ids()[0]));
+  EXPECT_LT(made.size(), soup.triangles.size() / 2);
+  for (const TexturedFace& face : made) {
+    const auto [low, high] = std::minmax({face.corners[0].x, face.corners[1].x, face.corners[2].x});
+    EXPECT_GE(low * high, 0);
+  }
+}
+
+TEST(PieceLooks, of_an_even_texture_do_not_limit_simplification) {
+  const Soup flat = grid(16, 1);
+  std::vector<size_t> faces;
+  for (const Soup& soup : {flat, with_looks(flat)}) {
+    Soup own = soup;
+    own.looks.uv_sets.resize(std::min<size_t>(own.looks.uv_sets.size(), 1));  // without seams
+    World world = world_of(own);
+    const BodyId before = world.ids()[0];
+    Document document(std::move(world));
+    ASSERT_TRUE(document.apply(SimplifyPiece{{before, 0}, {.faces = 60}}).ok());
+    faces.push_back(document.world().body(document.world().ids()[0]).mesh.live_faces());
+  }
+  EXPECT_EQ(faces[0], faces[1]);
 }
 
 TEST(PieceLooks, match_on_both_sides_of_a_loaded_edge) {

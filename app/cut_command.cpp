@@ -104,7 +104,7 @@ void visit_options(CutOptions& o, Visitor& v) {
       "For glTF: add a convex hull of at most 64 vertices to each piece, with its mass properties (none)");
   v.choice("collider-names", o.collider_names, {"unreal", "godot"},
            "Names of the hulls: UCX_NODE_00 for unreal, NODE-convcolonly for godot (unreal)");
-  v.flag("single-file", o.single_file, "For glTF: write all pieces to one file, pieces.glb or pieces.gltf");
+  v.flag("single-file", o.single_file, "For glTF and 3MF: write all pieces to one file, such as pieces.glb");
   v.flag("split-all", o.split_all, "Make every connected component a piece");
   v.flag("recentre", o.recentre,
          "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
@@ -301,9 +301,11 @@ Status check_solid(const CutOptions& o) {
 // Checks the values in the order of the options. The error names the first wrong option.
 Status check_gltf_options(const CutOptions& o) {
   if (o.collider_names && !o.colliders) return bad_input("--collider-names: requires --colliders");
-  if (is_gltf(*mesh_format(o.format.value_or("obj")))) return Done{};
-  if (o.colliders) return bad_input("--colliders: only glTF holds colliders; add --format glb or gltf");
-  if (o.single_file) return bad_input("--single-file: requires --format glb or gltf");
+  const MeshFormat format = *mesh_format(o.format.value_or("obj"));
+  if (o.colliders && !is_gltf(format))
+    return bad_input("--colliders: only glTF holds colliders; add --format glb or gltf");
+  if (o.single_file && !holds_several_meshes(format))
+    return bad_input("--single-file: requires --format glb, gltf or 3mf");
   return Done{};
 }
 

@@ -72,7 +72,9 @@ const std::string kAllPieces = "pieces";  // name of a single file
 // Returns true for the name of a file of pieces, piece-NNNN.EXTENSION or pieces.EXTENSION.
 bool is_piece_name(std::string_view name) {
   constexpr std::string_view kStem = "piece-";
-  if (name == kAllPieces + ".glb" || name == kAllPieces + ".gltf") return true;
+  for (const char* const ending : {".glb", ".gltf", ".3mf"}) {
+    if (name == kAllPieces + ending) return true;
+  }
   if (!name.starts_with(kStem)) return false;
   name.remove_prefix(kStem.size());
   const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };

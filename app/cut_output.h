@@ -24,7 +24,8 @@ struct PiecesFolder {
   std::string provenance{};  // file for the origins of the faces; empty: none
   // The engine whose names the colliders have: "unreal" or "godot"; empty: no colliders. Only for glTF.
   std::string colliders{};
-  bool single_file = false;  // all pieces are nodes of one file, pieces.glb or pieces.gltf. Only for glTF
+  // All pieces are in one file, such as pieces.glb, if holds_several_meshes(format).
+  bool single_file = false;
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;

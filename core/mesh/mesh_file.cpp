@@ -261,15 +261,17 @@ std::string obstacle_to_gltf(std::span<const MeshView> meshes) {
   return {};
 }
 
-std::string obstacle_to_3mf(const MeshView& mesh) {
+std::string obstacle_to_3mf(std::span<const MeshView> meshes) {
   const auto fits = [](const Vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxThreeMf;
   };
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
-    return "3MF cannot store coordinates beyond 1000 km";
-  constexpr size_t kMax = size_t{1} << 31;
-  if (mesh.positions.size() >= kMax || mesh.triangles.size() >= kMax)
-    return "3MF cannot store more than 2147483647 vertices or triangles";
+  for (const MeshView& mesh : meshes) {
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
+      return "3MF cannot store coordinates beyond 1000 km";
+    constexpr size_t kMax = size_t{1} << 31;
+    if (mesh.positions.size() >= kMax || mesh.triangles.size() >= kMax)
+      return "3MF cannot store more than 2147483647 vertices or triangles";
+  }
   return {};
 }
 
@@ -285,7 +287,7 @@ std::string obstacle(const MeshView& mesh, MeshFormat format) {
     return "PLY cannot store more than 2147483648 vertices";
   }
   if (is_gltf(format)) return obstacle_to_gltf({&mesh, 1});
-  if (format == MeshFormat::k3mf) return obstacle_to_3mf(mesh);
+  if (format == MeshFormat::k3mf) return obstacle_to_3mf({&mesh, 1});
   return {};
 }
 
@@ -308,9 +310,12 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshF
 }
 
 Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format) {
-  KERF_ASSERT(is_gltf(format));
-  const auto encode = format == MeshFormat::kGlb ? encode_glb : encode_gltf;
-  return write_encoded(path, obstacle_to_gltf(meshes), [&](const ByteSink& sink) { encode(meshes, sink); });
+  KERF_ASSERT(holds_several_meshes(format));
+  const auto encode = format == MeshFormat::kGlb    ? encode_glb
+                      : format == MeshFormat::kGltf ? encode_gltf
+                                                    : encode_3mf;
+  const std::string reason = is_gltf(format) ? obstacle_to_gltf(meshes) : obstacle_to_3mf(meshes);
+  return write_encoded(path, reason, [&](const ByteSink& sink) { encode(meshes, sink); });
 }
 
 namespace {

@@ -43,7 +43,7 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 // cannot represent the mesh, e.g. coordinates beyond the range of float in STL. Holds all bytes in memory
 // before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
-// Likewise several meshes, as nodes of one file. Precondition: the format is glTF.
+// Likewise several meshes, as nodes of glTF or objects of 3MF. Precondition: holds_several_meshes(format).
 Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format);
 
 // The loss of precision when a mesh is written in a single-precision format.

@@ -249,7 +249,7 @@ class Looks(unittest.TestCase):
         for arguments, words in ((["--colliders", "hull"], "only glTF holds colliders"),
                                  (["--colliders", "hull", "--format", "stl"], "only glTF holds colliders"),
                                  (["--collider-names", "godot"], "requires --colliders"),
-                                 (["--single-file"], "requires --format glb"),
+                                 (["--single-file"], "requires --format glb, gltf or 3mf"),
                                  (["--colliders", "box", "--format", "glb"], "the values are: hull")):
             done = subprocess.run([KERF, "cut", "plate.obj", "--out", "out", *arguments], cwd=self.folder,
                                   capture_output=True, text=True, timeout=120)
@@ -274,6 +274,31 @@ class Looks(unittest.TestCase):
         self.assertIn("Kd 0.8 0.101", self.read("back/pieces.mtl").decode())
         points = [numbers(line.split()[1:4]) for line in text.splitlines() if line.startswith("v ")]
         self.assertAlmostEqual(max(x for x, _, _ in points), 1, delta=1e-6)
+
+    def test_a_single_3mf_file_holds_an_object_per_piece(self):
+        separate = self.cut("--format", "3mf")["pieces"]
+        report = self.cut("--format", "3mf", "--single-file")
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["pieces.3mf", "report.json"])
+        self.assertEqual([piece["file"] for piece in report["pieces"]], len(separate) * ["pieces.3mf"])
+        self.assertEqual([piece["faces"] for piece in report["pieces"]], [piece["faces"] for piece in separate])
+        with zipfile.ZipFile(self.path("out/pieces.3mf")) as archive:
+            model = archive.read("3D/3dmodel.model").decode()
+        self.assertIn('unit="millimeter"', model)
+        objects = model.split("<object ")[1:]
+        self.assertEqual([text.count("<triangle ") for text in objects], [piece["faces"] for piece in separate])
+        for text, name in zip(objects, ("left fender", "left fender.001")):
+            self.assertIn(f'name="{name}"', text)
+            self.assertIn("pid=", text)
+        self.assertEqual(model.count("<item "), len(separate))
+        self.assertEqual(model.count("<base "), 2)  # shared by the pieces
+        ids = re.findall('UUID="([^"]*)"', model)
+        self.assertEqual(len(set(ids)), len(ids))
+        first = self.read("out/pieces.3mf")
+        self.cut("--format", "3mf", "--single-file")
+        self.assertEqual(self.read("out/pieces.3mf"), first)
+        self.cut(mesh="out/pieces.3mf", out="back")
+        text = self.read("back/piece-0000.obj").decode()
+        self.assertIn("o left fender", text)
 
     def test_custom_attributes_and_tangents_are_kept(self):
         rows = "\n".join(f"{x} 0 {z} {3 * x} 7" for x, z in self.points)

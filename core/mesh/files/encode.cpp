@@ -33,7 +33,7 @@ void encode(const MeshView& mesh, MeshFormat format, const ByteSink& sink) {
     case MeshFormat::kGltf:
       return encode_gltf({&mesh, 1}, sink);
     case MeshFormat::k3mf:
-      return encode_3mf(mesh, sink);
+      return encode_3mf({&mesh, 1}, sink);
   }
 }
 

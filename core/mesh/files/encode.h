@@ -81,11 +81,12 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 void encode_glb(std::span<const MeshView> meshes, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(std::span<const MeshView> meshes, const ByteSink& sink);
-// 3MF in millimetres in single precision with six decimal places: one object with the name, and its colours
-// or, without any, its materials with the colours of their surfaces. The same mesh gives the same bytes.
-// Holds the whole file in memory; throws std::bad_alloc. Preconditions: there are triangles, each with three
-// different corners, and no coordinate is beyond kMaxThreeMf.
-void encode_3mf(const MeshView& mesh, const ByteSink& sink);
+// 3MF in millimetres in single precision with six decimal places: an object and an item of the build a mesh,
+// with its name, and its colours or, without any, its materials with the colours of their surfaces; meshes
+// share these. The same meshes give the same bytes. Holds the whole file in memory; throws std::bad_alloc.
+// Preconditions: there are triangles in each mesh, each with three different corners, and no coordinate is
+// beyond kMaxThreeMf.
+void encode_3mf(std::span<const MeshView> meshes, const ByteSink& sink);
 inline constexpr double kMaxThreeMf = 1e6;  // m
 // Returns a position as 3MF stores it, in millimetres in single precision with six decimal places, in metres.
 // Precondition: no coordinate is beyond kMaxThreeMf.

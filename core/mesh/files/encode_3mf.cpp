@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <new>
 #include <optional>
+#include <tuple>
 
 #include "core/base/containers.h"
 #include "core/base/random.h"
@@ -80,24 +82,21 @@ ThreeMfColour colour_of(const std::optional<SurfaceLook>& look) {
 
 class ThreeMfWriter {
  public:
-  explicit ThreeMfWriter(const MeshView& mesh)
-      : mesh_(mesh), model_(expect_object(three_mf_object(NMR::lib3mf_createmodel))) {}
+  explicit ThreeMfWriter(std::span<const MeshView> meshes)
+      : meshes_(meshes), model_(expect_object(three_mf_object(NMR::lib3mf_createmodel))) {}
 
   std::string bytes() {
     expect_success(NMR::lib3mf_model_setunit(model_.get(), NMR::MODELUNIT_MILLIMETER));
-    object_ = expect_object(three_mf_object(NMR::lib3mf_model_addmeshobject, model_.get()));
-    set_name();
-    set_geometry();
-    if (!mesh_.colours.empty()) {
-      set_colours();
-    } else if (std::ranges::any_of(mesh_.material_names, [](const std::string& n) { return !n.empty(); })) {
-      set_materials();
+    for (const MeshView& mesh : meshes_) add_object(mesh);
+    for (const ThreeMf& object : objects_) {
+      items_.push_back(expect_object(
+          three_mf_object(NMR::lib3mf_model_addbuilditem, model_.get(), object.get(), nullptr)));
     }
-    const ThreeMf item =
-        expect_object(three_mf_object(NMR::lib3mf_model_addbuilditem, model_.get(), object_.get(), nullptr));
     expect_success(NMR::lib3mf_model_setbuilduuidutf8(model_.get(), uuid(1).c_str()));
-    expect_success(NMR::lib3mf_object_setuuidutf8(object_.get(), uuid(2).c_str()));
-    expect_success(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3).c_str()));
+    for (size_t i = 0; i < items_.size(); ++i) {
+      expect_success(NMR::lib3mf_object_setuuidutf8(objects_[i].get(), uuid(2 + 2 * i).c_str()));
+      expect_success(NMR::lib3mf_builditem_setuuidutf8(items_[i].get(), uuid(3 + 2 * i).c_str()));
+    }
     const ThreeMf writer = expect_object(three_mf_object(NMR::lib3mf_model_querywriter, model_.get(), "3mf"));
     ThreeMfSink sink;
     expect_success(NMR::lib3mf_writer_writetocallback(writer.get(),
@@ -107,41 +106,55 @@ class ThreeMfWriter {
   }
 
  private:
-  void set_name() {
-    const std::string name = plain_name(mesh_.name);
-    if (name.empty() || NMR::lib3mf_object_setnameutf8(object_.get(), name.c_str()) == 0) return;
-    expect_success(NMR::lib3mf_object_setnameutf8(object_.get(), ascii_name(name).c_str()));
+  void add_object(const MeshView& mesh) {
+    objects_.push_back(expect_object(three_mf_object(NMR::lib3mf_model_addmeshobject, model_.get())));
+    set_name(mesh);
+    set_geometry(mesh);
+    if (!mesh.colours.empty()) {
+      set_colours(mesh);
+    } else if (std::ranges::any_of(mesh.material_names, [](const std::string& n) { return !n.empty(); })) {
+      set_materials(mesh);
+    }
   }
 
-  void set_geometry() {
-    std::vector<NMR::MODELMESHVERTEX> vertices(mesh_.positions.size());
+  // The object of the mesh that is being added.
+  void** object() const { return objects_.back().get(); }
+
+  void set_name(const MeshView& mesh) const {
+    const std::string name = plain_name(mesh.name);
+    if (name.empty() || NMR::lib3mf_object_setnameutf8(object(), name.c_str()) == 0) return;
+    expect_success(NMR::lib3mf_object_setnameutf8(object(), ascii_name(name).c_str()));
+  }
+
+  void set_geometry(const MeshView& mesh) {
+    std::vector<NMR::MODELMESHVERTEX> vertices(mesh.positions.size());
     for (size_t i = 0; i < vertices.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        assert(std::abs(mesh_.positions[i][k]) <= kMaxThreeMf);
-        vertices[i].m_fPosition[k] = static_cast<float>(1000 * mesh_.positions[i][k]);
+        assert(std::abs(mesh.positions[i][k]) <= kMaxThreeMf);
+        vertices[i].m_fPosition[k] = static_cast<float>(1000 * mesh.positions[i][k]);
         hash_ = hash_combine(hash_, number_bits(vertices[i].m_fPosition[k]));
       }
     }
-    std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh_.triangles.size());
+    std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.triangles.size());
     for (size_t t = 0; t < triangles.size(); ++t)
-      std::copy_n(mesh_.triangles[t].begin(), 3, triangles[t].m_nIndices);
-    expect_success(NMR::lib3mf_meshobject_setgeometry(object_.get(), vertices.data(),
+      std::copy_n(mesh.triangles[t].begin(), 3, triangles[t].m_nIndices);
+    expect_success(NMR::lib3mf_meshobject_setgeometry(object(), vertices.data(),
                                                       static_cast<DWORD>(vertices.size()), triangles.data(),
                                                       static_cast<DWORD>(triangles.size())));
   }
 
   ThreeMf properties() const {
-    return expect_object(three_mf_object(NMR::lib3mf_meshobject_createpropertyhandler, object_.get()));
+    return expect_object(three_mf_object(NMR::lib3mf_meshobject_createpropertyhandler, object()));
   }
   ThreeMf default_properties() const {
-    return expect_object(three_mf_object(NMR::lib3mf_object_createdefaultpropertyhandler, object_.get()));
+    return expect_object(three_mf_object(NMR::lib3mf_object_createdefaultpropertyhandler, object()));
   }
 
-  void set_colours() const {
-    std::vector<NMR::MODELMESH_TRIANGLECOLOR_SRGB> colours(mesh_.triangles.size());
+  void set_colours(const MeshView& mesh) const {
+    std::vector<NMR::MODELMESH_TRIANGLECOLOR_SRGB> colours(mesh.triangles.size());
     for (size_t t = 0; t < colours.size(); ++t) {
       for (size_t i = 0; i < 3; ++i) {
-        const auto& part = mesh_.colours[mesh_.triangles[t][i]].part;
+        const auto& part = mesh.colours[mesh.triangles[t][i]].part;
         colours[t].m_Colors[i] = {eight_bits(part[0]), eight_bits(part[1]), eight_bits(part[2]),
                                   eight_bits(part[3])};
       }
@@ -151,41 +164,46 @@ class ThreeMfWriter {
         NMR::lib3mf_defaultpropertyhandler_setcolor(default_properties().get(), &colours[0].m_Colors[0]));
   }
 
-  void set_materials() const {
-    const ThreeMf group =
-        expect_object(three_mf_object(NMR::lib3mf_model_addbasematerialgroup, model_.get()));
-    DWORD id = 0;
-    expect_success(NMR::lib3mf_basematerial_getresourceid(group.get(), &id));
+  void set_materials(const MeshView& mesh) {
+    if (!group_) {
+      group_ = expect_object(three_mf_object(NMR::lib3mf_model_addbasematerialgroup, model_.get()));
+      expect_success(NMR::lib3mf_basematerial_getresourceid(group_.get(), &group_id_));
+    }
     std::vector<std::optional<SurfaceLook>> looks;
-    if (mesh_.surfaces) looks = surface_looks(*mesh_.surfaces);
-    std::vector<std::optional<DWORD>> numbers(mesh_.material_names.size());
-    std::vector<DWORD> groups(mesh_.triangles.size(), id), indices;
-    for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const uint16_t m = mesh_.materials.empty() ? uint16_t{0} : mesh_.materials[t];
-      if (!numbers[m]) numbers[m] = add_material(group.get(), m, m < looks.size() ? looks[m] : std::nullopt);
+    if (mesh.surfaces) looks = surface_looks(*mesh.surfaces);
+    std::vector<std::optional<DWORD>> numbers(mesh.material_names.size());
+    std::vector<DWORD> groups(mesh.triangles.size(), group_id_), indices;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const uint16_t m = mesh.materials.empty() ? uint16_t{0} : mesh.materials[t];
+      if (!numbers[m]) numbers[m] = material(mesh, m, m < looks.size() ? looks[m] : std::nullopt);
       indices.push_back(*numbers[m]);
     }
     expect_success(
         NMR::lib3mf_propertyhandler_setbasematerialarray(properties().get(), groups.data(), indices.data()));
-    expect_success(
-        NMR::lib3mf_defaultpropertyhandler_setbasematerial(default_properties().get(), id, indices[0]));
+    expect_success(NMR::lib3mf_defaultpropertyhandler_setbasematerial(default_properties().get(), group_id_,
+                                                                      indices[0]));
   }
 
-  DWORD add_material(void** group, uint16_t material, const std::optional<SurfaceLook>& look) const {
+  // Returns the number of a material in the group; adds it once.
+  DWORD material(const MeshView& mesh, uint16_t material, const std::optional<SurfaceLook>& look) {
+    const auto [known, added] =
+        materials_.try_emplace({mesh.surfaces, material, mesh.material_names[material]}, DWORD{0});
+    if (!added) return known->second;
     const ThreeMfColour c = colour_of(look);
-    std::string name = plain_name(mesh_.material_names[material]);
+    std::string name = plain_name(mesh.material_names[material]);
     if (name.empty()) name = "default";
-    DWORD number = 0;
-    if (NMR::lib3mf_basematerial_addmaterialutf8(group, name.c_str(), c.red, c.green, c.blue, &number) != 0) {
-      expect_success(NMR::lib3mf_basematerial_addmaterialutf8(group, ascii_name(name).c_str(), c.red, c.green,
-                                                              c.blue, &number));
+    DWORD& number = known->second;
+    if (NMR::lib3mf_basematerial_addmaterialutf8(group_.get(), name.c_str(), c.red, c.green, c.blue,
+                                                 &number) != 0) {
+      expect_success(NMR::lib3mf_basematerial_addmaterialutf8(group_.get(), ascii_name(name).c_str(), c.red,
+                                                              c.green, c.blue, &number));
     }
     expect_success(
-        NMR::lib3mf_basematerial_setdisplaycolorrgba(group, number, c.red, c.green, c.blue, c.alpha));
+        NMR::lib3mf_basematerial_setdisplaycolorrgba(group_.get(), number, c.red, c.green, c.blue, c.alpha));
     return number;
   }
 
-  // The same for the same mesh, so that its file is, too.
+  // The same for the same meshes, so that their file is, too.
   std::string uuid(uint64_t which) const {
     const uint64_t high = hash_combine(hash_, which), low = mix64(high);
     std::array<char, 40> text;
@@ -208,13 +226,18 @@ class ThreeMfWriter {
     return bytes;
   }
 
-  const MeshView& mesh_;
-  ThreeMf model_, object_;
+  std::span<const MeshView> meshes_;
+  ThreeMf model_, group_;  // the group has the materials of all meshes; null without any
+  std::vector<ThreeMf> objects_, items_;
+  DWORD group_id_ = 0;
+  std::map<std::tuple<const SurfaceLibrary*, uint16_t, std::string>, DWORD> materials_;
   uint64_t hash_ = 0;
 };
 
 }  // namespace
 
-void encode_3mf(const MeshView& mesh, const ByteSink& sink) { sink(ThreeMfWriter(mesh).bytes()); }
+void encode_3mf(std::span<const MeshView> meshes, const ByteSink& sink) {
+  sink(ThreeMfWriter(meshes).bytes());
+}
 
 }  // namespace kerf

@@ -49,6 +49,11 @@ constexpr bool is_gltf(MeshFormat format) {
   return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
 }
 
+// Returns true for the formats that write_meshes() writes.
+constexpr bool holds_several_meshes(MeshFormat format) {
+  return is_gltf(format) || format == MeshFormat::k3mf;
+}
+
 // Return the extensions, each after `before`, and the titles, as lists in a sentence: ".obj, .ply, .stl,
 // .off, .glb, .gltf or .3mf" and "OBJ, PLY, STL, OFF, glTF or 3MF".
 std::string list_mesh_endings(std::string_view before = ".", std::string_view last = " or ");

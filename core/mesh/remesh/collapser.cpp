@@ -183,7 +183,8 @@ UvStretch::UvStretch(const FlatSheets& sheets, const FlatSurface& surface)
     set.overlaps.resize(original.size());
     for (uint32_t f = 0; f < original.size(); ++f) {
       const auto& [a, b, c] = sheets.corners[f];
-      const Vec3 across = glm::cross(surface.point(b) - surface.point(a), surface.point(c) - surface.point(a));
+      const Vec3 across =
+          glm::cross(surface.point(b) - surface.point(a), surface.point(c) - surface.point(a));
       if (has_uvs(original[f]) && signed_area(original[f]) != 0 && across != Vec3(0))
         set.overlaps[f].push_back(f);
     }
@@ -231,8 +232,8 @@ bool UvStretch::is_within_bound(const Set& set, uint32_t original, const Triangl
   const Vec3 b1 = (cross(u, t) * p + cross(s, u) * q) / area, b2 = (cross(w, t) * p + cross(s, w) * q) / area;
   const auto& [i, j, k] = sheets_.corners[original];
   const Vec3 a1 = surface_.point(j) - surface_.point(i), a2 = surface_.point(k) - surface_.point(i);
-  const double a11 = glm::dot(a1, a1), a12 = glm::dot(a1, a2), a22 = glm::dot(a2, a2),
-               b11 = glm::dot(b1, b1), b12 = glm::dot(b1, b2), b22 = glm::dot(b2, b2);
+  const double a11 = glm::dot(a1, a1), a12 = glm::dot(a1, a2), a22 = glm::dot(a2, a2), b11 = glm::dot(b1, b1),
+               b12 = glm::dot(b1, b2), b22 = glm::dot(b2, b2);
   const double det = glm::dot(glm::cross(a1, a2), glm::cross(a1, a2));
   const double trace = (a22 * b11 - 2 * a12 * b12 + a11 * b22) / det,
                product = glm::dot(glm::cross(b1, b2), glm::cross(b1, b2)) / det;

@@ -122,8 +122,8 @@ struct Ring {
   std::vector<uint32_t> vertices;  // each once
 };
 
-// Bounds the stretch of UVs. In the plane of a set of UVs, the faces around an inner vertex of a chart tile the
-// same region before and after its collapse. Each current face stores the original faces that it overlaps
+// Bounds the stretch of UVs. In the plane of a set of UVs, the faces around an inner vertex of a chart tile
+// the same region before and after its collapse. Each current face stores the original faces that it overlaps
 // there. As both maps are affine, the stretch at a texture point is given by the singular values of the map
 // from the original face to the current one that keeps UVs (P. Sander et al.: Texture mapping progressive
 // meshes, 2001); within kMaxUvStretch for all overlapping pairs, it is so at every point of the texture.

@@ -124,8 +124,7 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const Collapser
     const auto& [a, b, c] = surface.corners(f);
     if (!welded.add({number[a], number[b], number[c]})) continue;
     out.origins.push_back(sheets.faces[f]);
-    for (size_t set = 0; set < out.uv_sets.size(); ++set)
-      out.uv_sets[set].push_back(collapser.uvs(set, f));
+    for (size_t set = 0; set < out.uv_sets.size(); ++set) out.uv_sets[set].push_back(collapser.uvs(set, f));
   }
   out.positions = std::move(welded.positions);
   out.triangles = std::move(welded.triangles);

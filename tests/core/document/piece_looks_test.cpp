@@ -335,8 +335,8 @@ std::vector<double> room_around(const Soup& soup) {
   return room;
 }
 
-// A sphere of radius 1. The UVs of each half are angles from its pole on the x axis, moved at random and scaled
-// unevenly, so that the stretch varies between the faces and the middle is a seam.
+// A sphere of radius 1. The UVs of each half are angles from its pole on the x axis, moved at random and
+// scaled unevenly, so that the stretch varies between the faces and the middle is a seam.
 Soup in_two_halves(Soup soup, Random& random) {
   const std::vector<double> room = room_around(soup);
   const auto vertices = static_cast<uint32_t>(soup.positions.size());

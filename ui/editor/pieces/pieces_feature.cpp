@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <set>
 
 #include "core/base/assert.h"
@@ -94,32 +95,26 @@ class PieceWriter {
     return format_ == MeshFormat::kObj ? surfaces_.write(folder) : Status(Done{});
   }
 
-  // Precondition: write_surfaces() has succeeded.
-  Status write(const PieceFile& to) {
-    const Body& body = world_.body(to.piece.body);
-    const std::vector<FaceId> faces = faces_of(body, to.piece.label);
-    const Extract extract = extract_faces(body, faces);
-    const std::string name = to.mesh.stem().string(), mtl = to.mtl.filename().string();
-    if (!mtl.empty()) {
-      const Status written =
-          write_file_atomically(to.mtl, materials_text(extract, body.material_names, paints_));
-      if (!written) return written;
+  // Writes each piece to its file, or all to the first one. Precondition: write_surfaces() has succeeded.
+  Status write(std::span<const PieceFile> files) {
+    const bool single = files.size() > 1 && files[0].mesh == files[1].mesh;
+    std::deque<Piece> pieces;
+    std::vector<MeshView> views;
+    for (const PieceFile& to : files) {
+      const Piece& piece = pieces.emplace_back(*this, to);
+      if (!to.mtl.empty()) {
+        const Status written = write_file_atomically(
+            to.mtl, materials_text(piece.extract, world_.body(to.piece.body).material_names, paints_));
+        if (!written) return written;
+      }
+      if (single) {
+        views.push_back(piece.view);
+        continue;
+      }
+      if (const Status written = write_mesh(piece.view, to.mesh, format_); !written) return written;
+      pieces.clear();
     }
-    MeshView view{extract.positions, extract.triangles, extract.materials, body.material_names, mtl, name,
-                  extract.colours};
-    CornerLooks looks;
-    if (format_row(format_).uvs_and_normals)
-      looks = looks_of(body, faces, is_gltf(format_) ? LookNormals::kAll : LookNormals::kSmooth);
-    if (looks.any()) view.looks = &looks;
-    view.surfaces = surfaces_of(body);
-    if (view.surfaces && !surfaces_.library().empty()) {
-      view.mtl = surfaces_.library();
-      view.material_names = surfaces_.names(body);
-    }
-    if (const Status written = write_mesh(view, to.mesh, format_); !written) return written;
-    precision_ += precision_loss(view, format_);
-    lost_.add(body, extract, format_);
-    return Done{};
+    return single ? write_meshes(views, files[0].mesh, format_) : Status(Done{});
   }
 
   // Returns sentences for the user, each without its full stop; nullopt if nothing was lost.
@@ -135,6 +130,35 @@ class PieceWriter {
   }
 
  private:
+  // A piece to be written. The view refers to the other members.
+  struct Piece {
+    Extract extract;
+    CornerLooks looks;
+    std::string mtl;
+    MeshView view;
+
+    Piece(PieceWriter& writer, const PieceFile& to) : mtl(to.mtl.filename().string()) {
+      const Body& body = writer.world_.body(to.piece.body);
+      const MeshFormat format = writer.format_;
+      const std::vector<FaceId> faces = faces_of(body, to.piece.label);
+      extract = extract_faces(body, faces);
+      view = {extract.positions, extract.triangles, extract.materials, body.material_names, mtl,
+              to.name,           extract.colours};
+      if (format_row(format).uvs_and_normals)
+        looks = looks_of(body, faces, is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth);
+      if (looks.any()) view.looks = &looks;
+      view.surfaces = surfaces_of(body);
+      if (view.surfaces && !writer.surfaces_.library().empty()) {
+        view.mtl = writer.surfaces_.library();
+        view.material_names = writer.surfaces_.names(body);
+      }
+      writer.precision_ += precision_loss(view, format);
+      writer.lost_.add(body, extract, format);
+    }
+    Piece(const Piece&) = delete;
+    Piece& operator=(const Piece&) = delete;
+  };
+
   const World& world_;
   const std::map<std::string, Paint>& paints_;
   MeshFormat format_;
@@ -400,10 +424,18 @@ std::string file_name_of(const std::string& piece) {
   return name.empty() ? "piece" : name;
 }
 
-std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks, const fs::path& file) {
+std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks, const fs::path& file,
+                                       bool single_file) {
+  const auto format = mesh_format(file.extension().string());
+  if (single_file && format && holds_several_meshes(*format)) {
+    const fs::path by_name = file.parent_path() / ("*" + file.extension().string());
+    std::vector<PieceFile> files = files_to_export(world, looks, by_name);
+    for (PieceFile& f : files) f.mesh = file.parent_path() / replaced(file.filename().string(), "pieces");
+    return files;
+  }
   const size_t selected = selected_count(looks);
   const bool by_name = file.filename().string().find('*') != std::string::npos;
-  const bool is_obj = mesh_format(file.extension().string()) == MeshFormat::kObj;
+  const bool is_obj = format == MeshFormat::kObj;
   std::vector<PieceFile> files;
   std::set<fs::path> taken;
   for (const PieceRow& row : list_pieces(world, looks)) {
@@ -415,20 +447,22 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
     for (int i = 2; !taken.insert(mesh).second; ++i) mesh = with_suffix(wanted, "-" + std::to_string(i));
     const Body& body = world.body(row.id.body);
     const bool has_mtl = is_obj && has_materials(body) && !surfaces_of(body);
-    files.push_back({row.id, mesh, has_mtl ? fs::path(mesh).replace_extension(".mtl") : fs::path()});
+    files.push_back({row.id, mesh, has_mtl ? fs::path(mesh).replace_extension(".mtl") : fs::path(),
+                     mesh.stem().string()});
   }
   return files;
 }
 
 Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
-                                       const std::map<std::string, Paint>& paints, const fs::path& file) {
+                                       const std::map<std::string, Paint>& paints, const fs::path& file,
+                                       bool single_file) {
   const auto format = mesh_format(file.extension().string());
   if (!format) return bad_input("The file name must end in " + list_mesh_endings());
-  std::vector<PieceFile> files = files_to_export(world, looks, file);
+  std::vector<PieceFile> files = files_to_export(world, looks, file, single_file);
   if (files.empty()) return bad_input("No piece is selected");
   PieceWriter writer(world, paints, *format);
   Status written = writer.write_surfaces(files, file.parent_path());
-  for (size_t i = 0; i < files.size() && written; ++i) written = writer.write(files[i]);
+  if (written) written = writer.write(files);
   if (!written) return written.error();
   return ExportedPieces{std::move(files), writer.note()};
 }
@@ -449,13 +483,14 @@ void PieceExport::select_file() {
          {.title = "Export Selected",
           .verb = "Export",
           .hint = "File name; * stands for the name of each piece",
+          .several = selected_count(workspace_.view.look.pieces) > 1,
           .take = [this](const std::filesystem::path& file) { return export_to(file); },
           .writes =
               [this](const std::filesystem::path& file) {
                 std::vector<std::filesystem::path> files;
-                for (const PieceFile& f :
-                     files_to_export(workspace_.world(), workspace_.view.look.pieces, file)) {
-                  files.push_back(f.mesh);
+                for (const PieceFile& f : files_to_export(workspace_.world(), workspace_.view.look.pieces,
+                                                          file, workspace_.services.browser.single_file)) {
+                  if (files.empty() || files.back() != f.mesh) files.push_back(f.mesh);
                   if (!f.mtl.empty()) files.push_back(f.mtl);
                 }
                 return files;
@@ -466,12 +501,15 @@ void PieceExport::select_file() {
 
 std::string PieceExport::export_to(const std::filesystem::path& file) {
   const auto written =
-      export_selected(workspace_.world(), workspace_.view.look.pieces, workspace_.session.paints, file);
+      export_selected(workspace_.world(), workspace_.view.look.pieces, workspace_.session.paints, file,
+                      workspace_.services.browser.single_file);
   if (!written) return written.error().message;
   const std::string first = written->files.front().mesh.string();
+  const std::string count = std::to_string(written->files.size());
   const std::string done = written->files.size() == 1 ? "Exported " + first
-                                                      : "Exported " + std::to_string(written->files.size()) +
-                                                            " pieces; the first is " + first;
+                           : written->files.back().mesh == first
+                               ? "Exported " + count + " pieces to " + first
+                               : "Exported " + count + " pieces; the first is " + first;
   workspace_.message.show(written->note ? done + ". " + *written->note + "." : done,
                           written->note.has_value());
   return "";

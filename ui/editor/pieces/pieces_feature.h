@@ -17,6 +17,7 @@ struct PieceFile {
   PieceId piece;
   std::filesystem::path mesh;
   std::filesystem::path mtl;  // with paints, for an OBJ file whose materials no file describes; else empty
+  std::string name;           // of the node or object
 };
 
 // Turns the name of a piece into a file name without extension: blanks and characters not allowed in file
@@ -25,9 +26,10 @@ std::string file_name_of(const std::string& piece);
 
 // Returns the files for the selected pieces, in the order of list_pieces. "*" in the name of `file` is
 // replaced by the name of the piece; without it several pieces are numbered: "part-1.obj" etc. All names
-// differ. The extension sets the format.
+// differ. The extension sets the format. With `single_file` all pieces have the same file if the format holds
+// several meshes; "*" then becomes "pieces".
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
-                                       const std::filesystem::path& file);
+                                       const std::filesystem::path& file, bool single_file = false);
 
 // The files of an export, and what their format lost.
 struct ExportedPieces {
@@ -41,7 +43,7 @@ struct ExportedPieces {
 // failure remain.
 Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks,
                                        const std::map<std::string, Paint>& paints,
-                                       const std::filesystem::path& file);
+                                       const std::filesystem::path& file, bool single_file = false);
 
 // Opens a file dialog and exports the selected pieces (see export_selected).
 class PieceExport {

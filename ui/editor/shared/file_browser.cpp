@@ -276,6 +276,11 @@ void draw_export(FileBrowser& b) {
     b.fault.clear();
     b.take_focus = true;
   }
+  if (b.request.several && holds_several_meshes(b.format)) {
+    if (ImGui::Checkbox("Single File", &b.single_file)) b.replace.clear();
+    mark_last_item("single file");
+    tooltip("Write all selected pieces to one file, each as a node or an object with its name.");
+  }
   draw_file_names(b.request.writes(with_ending(b.folder / b.name.data(), b)));
 }
 
@@ -350,9 +355,10 @@ void draw_file_names(std::span<const std::filesystem::path> files) {
 }
 
 void browse(FileBrowser& b, FileRequest request, fs::path folder, const std::string& name) {
-  const MeshFormat format = b.format;
-  b = FileBrowser();
-  b.format = format;
+  FileBrowser fresh;
+  fresh.format = b.format;
+  fresh.single_file = b.single_file;
+  b = std::move(fresh);
   b.request = std::move(request);
   b.open = true;
   std::error_code error;

@@ -40,6 +40,7 @@ struct FileRequest {
   const char* listed = "";  // extension of the listed files; empty: all that can be opened
   // Extensions to write; a name without one gets the first. Empty: a file is opened, or `writes` is set.
   std::vector<std::string> endings = {};
+  bool several = false;  // an export of several meshes, for which formats that hold them offer a single file
   // Takes the selected file. Returns an error, which keeps the window open, or an empty text.
   std::function<std::string(const std::filesystem::path&)> take;
   // For an export of meshes: returns the files that are written under this name.
@@ -54,6 +55,7 @@ struct FileBrowser {
 
   FileRequest request = {};
   MeshFormat format = MeshFormat::kObj;  // of an export; the last one selected
+  bool single_file = false;              // of an export of several meshes, likewise
   bool open = false;
   std::filesystem::path folder;
   std::vector<Entry> entries;     // of the folder: folders first, by name
@@ -71,7 +73,8 @@ struct FileBrowser {
   bool take_focus = false, show_cursor = false;
 };
 
-// Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`.
+// Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`
+// and `single_file`.
 void browse(FileBrowser& browser, FileRequest request, std::filesystem::path folder, const std::string& name);
 
 // Processes a key (GLFW_KEY_*) while the browser is open.

@@ -78,6 +78,29 @@ TEST(ExportPieces, writes_the_mtl_materials_of_a_piece_next_to_an_obj_file) {
   EXPECT_TRUE(std::filesystem::exists(folder / "car.stl"));
 }
 
+TEST(ExportPieces, writes_all_pieces_to_a_single_file_of_formats_that_hold_them) {
+  const test::TemporaryFolder folder;
+  const World world = world_of({"car", "door left", "car"});
+  const PieceMap all = all_selected(world);
+  for (const char* const ending : {"glb", "gltf", "3mf"}) {
+    const std::string file = std::string("pieces.") + ending;
+    const auto written = export_selected(world, all, {}, folder / (std::string("*.") + ending), true);
+    ASSERT_TRUE(written.ok()) << written.error().message;
+    EXPECT_EQ(names(written->files), Names(3, (folder / file).string()));
+    const auto soup = read_mesh(folder / file);
+    ASSERT_TRUE(soup.ok()) << soup.error().message;
+    EXPECT_EQ(soup->triangles.size(), 3 * test::grid(2, 1).triangles.size());
+    EXPECT_EQ(soup->material_names, (Names{"paint", "chrome"})) << ending;
+    Names parts;
+    for (const MeshPart& part : soup->parts) parts.push_back(part.name);
+    EXPECT_EQ(parts, (Names{"car", "door-left", "car-2"})) << ending;
+  }
+  const auto apart = export_selected(world, all, {}, folder / "*.obj", true);
+  ASSERT_TRUE(apart.ok()) << "OBJ has a file for each piece";
+  EXPECT_EQ(apart->files.size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "car-2.obj"));
+}
+
 TEST(ExportPieces, reports_single_precision_loss_far_from_the_origin) {
   const test::TemporaryFolder folder;
   World world;

@@ -115,6 +115,12 @@ class Mesh {
     check(kerf_mesh_create(vertices.data(), vertices.size() / 3, faces.data(), faces.size() / 3, &mesh));
     mesh_.reset(mesh, kerf_mesh_destroy);
   }
+  // Creates a mesh from the result of bytes(). Throws InvalidArgument for other or damaged bytes. O(n).
+  static Mesh from_bytes(std::string_view bytes) {
+    kerf_mesh* mesh = nullptr;
+    check(kerf_mesh_from_bytes(bytes.data(), bytes.size(), &mesh));
+    return Mesh(mesh);
+  }
   // Takes ownership of a kerf_c.h handle.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_destroy) {}
 
@@ -122,6 +128,15 @@ class Mesh {
   // path: its extension decides the format: .obj, .ply, .stl, .off, .glb, .gltf or .3mf.
   // Throws InvalidArgument for another extension, Error if the file cannot be written. O(n).
   void write(const std::string& path) const { check(kerf_mesh_write(get(), path.c_str())); }
+
+  // Returns the mesh with its attributes, materials and images; see kerf_mesh_to_bytes. O(n).
+  std::string bytes() const {
+    char* bytes = nullptr;
+    size_t size = 0;
+    check(kerf_mesh_to_bytes(get(), &bytes, &size));
+    const std::unique_ptr<char, void (*)(char*)> owner(bytes, kerf_text_free);
+    return {bytes, size};
+  }
 
   // Return three numbers per vertex (m) and three vertex indices per face. Valid while any copy of the mesh
   // exists. O(1).
@@ -507,7 +522,8 @@ class World {
     });
   }
 
-  // Writes the bodies as OBJ files and a scene.json for the editor.
+  // Writes the bodies as OBJ files, or Kerf meshes (see kerf_world_save_scene), and a scene.json for the
+  // editor.
   // folder: created if missing.
   // Throws InvalidArgument if the world has no face, Error if a file cannot be written. O(n log n).
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }

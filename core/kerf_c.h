@@ -111,6 +111,17 @@ KERF_API void kerf_mesh_destroy(kerf_mesh* mesh);
  * Errors: KERF_INVALID_ARGUMENT for another extension, KERF_FAILED if the file cannot be written. O(n). */
 KERF_API kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path);
 
+/* Returns a mesh as bytes, with its attributes, materials and images, from which kerf_mesh_from_bytes creates
+ * it to the bit. Omits what only a piece has: its name, mass and temperatures.
+ * out, size: receive the bytes and their number; free them with kerf_text_free.
+ * Errors: KERF_INVALID_ARGUMENT for a null argument. O(n). */
+KERF_API kerf_result kerf_mesh_to_bytes(const kerf_mesh* mesh, char** out, size_t* size);
+
+/* Creates a mesh from such bytes.
+ * out: receives the mesh; destroy it with kerf_mesh_destroy.
+ * Errors: KERF_INVALID_ARGUMENT for other or damaged bytes, and those of a later version. O(n). */
+KERF_API kerf_result kerf_mesh_from_bytes(const char* bytes, size_t size, kerf_mesh** out);
+
 /* Return the number of vertices or faces; 0 if `mesh` is null. O(1). */
 KERF_API size_t kerf_mesh_vertex_count(const kerf_mesh* mesh);
 KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
@@ -620,15 +631,17 @@ KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const do
 /* Frees hits and resets all members but the size. No-op if `hits` is null or was never filled. */
 KERF_API void kerf_hits_free(kerf_hits* hits);
 
-/* Writes the visible bodies with their poses as a scene that the editor opens: one OBJ file per body and
- * scene.json. Does not write temperatures.
+/* Writes the visible bodies with their poses as a scene that the editor opens: scene.json and one OBJ file
+ * per body, or a Kerf mesh (.kmesh) if it has attributes or described materials, which are kept with their
+ * images. Does not write temperatures.
  * folder: created if missing; files of these names in it are replaced.
  * Errors: KERF_INVALID_ARGUMENT if no face is visible, KERF_FAILED if a file cannot be written.
  * O(n log n). */
 KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder);
 
 /* Writes the journal of the world, which the editor opens and `kerf replay` verifies: the cuts since the
- * bodies were added, and next to it a mesh file per added body, NAME-mesh-0001.obj and so on.
+ * bodies were added, and next to it a mesh file per added body, NAME-mesh-0001.obj and so on, or .kmesh if
+ * it has attributes or described materials.
  * path: a .kerf file.
  * Errors: KERF_INVALID_ARGUMENT if the world has no mesh, or a body was added or the material changed after
  * a cut; KERF_FAILED if a file cannot be written. O(n log n). */

@@ -299,13 +299,8 @@ void add_mesh(py::module_& m) {
       .def(
           "__deepcopy__", [](const kerf::Mesh& mesh, const py::object&) { return mesh; }, py::arg("memo"))
       .def(py::pickle(
-          [](const kerf::Mesh& mesh) {
-            return py::make_tuple(array_view(mesh.vertices(), mesh), array_view(mesh.faces(), mesh));
-          },
-          [](const py::tuple& state) {
-            const std::vector<double> positions = triples_argument(state[0], "vertices");
-            return kerf::Mesh(positions, faces_argument(state[1]));
-          }))
+          [](const kerf::Mesh& mesh) { return py::make_tuple(py::bytes(mesh.bytes())); },
+          [](const py::tuple& state) { return kerf::Mesh::from_bytes(state[0].cast<std::string>()); }))
       .def("__repr__", [](const kerf::Mesh& mesh) {
         const std::string name = mesh.name();
         return "<kerf.Mesh " + (name.empty() ? "" : "\"" + name + "\" ") + "of " +
@@ -469,8 +464,8 @@ void add_world(py::module_& m) {
             world.save_scene(to);
           },
           py::arg("folder"),
-          "Writes the bodies as OBJ files and a scene.json that the editor opens. The folder is created if "
-          "missing.\n\n"
+          "Writes the bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes (.kmesh) for "
+          "bodies with attributes or described materials. The folder is created if missing.\n\n"
           "Raises ValueError if the world has no face, and Error if a file cannot be written.")
       .def(
           "save_journal",

@@ -3,9 +3,11 @@
 #include <system_error>
 
 #include "core/api/api_internal.h"
+#include "core/base/platform.h"
 #include "core/document/history_step.h"
 #include "core/document/journal.h"
 #include "core/document/save.h"
+#include "core/mesh/files/soup_file.h"
 #include "core/mesh/mesh_file.h"
 
 namespace kerf {
@@ -99,16 +101,20 @@ class JournalFile {
 
   Status put_body(const AddedBody& added, size_t index) {
     SceneBody body;
+    const kerf_mesh& m = *added.mesh;
+    const bool is_soup = m.looks.any() || m.surfaces;  // more than OBJ holds
     char ending[24];
-    std::snprintf(ending, sizeof ending, "-mesh-%04zu.obj", world_.scene.bodies.size() + ++meshes_);
-    body.mesh = file_.parent_path() / (file_.stem().string() + ending);
+    std::snprintf(ending, sizeof ending, "-mesh-%04zu.", world_.scene.bodies.size() + ++meshes_);
+    body.mesh = file_.parent_path() /
+                (file_.stem().string() + ending + (is_soup ? std::string(kSoupFileEnding) : "obj"));
     body.name = added.name;
     body.sheet = added.sheet;
     body.placement = added.placement;
     body.solid = added.solid ? Solidity::kSolid : Solidity::kSheet;
-    const kerf_mesh& m = *added.mesh;
     const MeshView view{m.positions, m.triangles, m.materials, m.material_names, {}, {}, m.colours};
-    if (const Status written = write_mesh(view, body.mesh, MeshFormat::kObj); !written) return written;
+    const Status written = is_soup ? write_file_atomically(body.mesh, encode_soup(soup_of(m)))
+                                   : write_mesh(view, body.mesh, MeshFormat::kObj);
+    if (!written) return written;
     if (!in_scene_) put(AddMesh{body.mesh, body.name}, index);
     const PieceId piece{{added.slot, in_scene_ ? 0 : generations_[index + 1]}, 0};
     if (!in_scene_ && body.placement != Placement()) waiting_.push_back(MovePiece{piece, body.placement});

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <utility>
 
 #include "core/base/version.h"
+#include "core/mesh/files/soup_file.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/weld.h"
@@ -99,6 +101,20 @@ Status create_mesh(const double* vertices, size_t vertex_count, const uint32_t* 
       mesh.triangles[f][i] = v;
     }
   }
+  return Done{};
+}
+
+// Converts the content of a Kerf mesh, unchanged.
+Status convert_exactly(Soup soup, kerf_mesh& mesh) {
+  if (!std::ranges::all_of(soup.positions, is_finite))
+    return bad_input("bytes: a position of the mesh is not finite");
+  mesh.positions = std::move(soup.positions);
+  mesh.triangles.assign(soup.triangles.begin(), soup.triangles.end());
+  mesh.colours = std::move(soup.colours);
+  mesh.materials = std::move(soup.materials);
+  mesh.material_names = std::move(soup.material_names);
+  set_looks(mesh, std::move(soup.looks), std::move(soup.surfaces));
+  measure(mesh);
   return Done{};
 }
 
@@ -205,6 +221,32 @@ kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
     if (mesh->looks.any()) view.looks = &mesh->looks;
     view.surfaces = mesh->surfaces.get();
     return kerf::write_mesh(view, file, *format);
+  });
+}
+
+kerf_result kerf_mesh_to_bytes(const kerf_mesh* mesh, char** out, size_t* size) {
+  if (mesh == nullptr || out == nullptr || size == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "mesh, out and size: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    const std::string bytes = kerf::encode_soup(kerf::soup_of(*mesh));
+    auto copy = std::make_unique<char[]>(bytes.size());
+    std::memcpy(copy.get(), bytes.data(), bytes.size());
+    *size = bytes.size();
+    *out = copy.release();
+    return kerf::Done{};
+  });
+}
+
+kerf_result kerf_mesh_from_bytes(const char* bytes, size_t size, kerf_mesh** out) {
+  if (bytes == nullptr || out == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "bytes and out: must not be null");
+  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
+    auto soup = kerf::read_soup({bytes, size}, "bytes");
+    if (!soup) return soup.error();
+    auto mesh = std::make_unique<kerf_mesh>();
+    if (const auto converted = kerf::convert_exactly(std::move(*soup), *mesh); !converted) return converted;
+    *out = mesh.release();
+    return kerf::Done{};
   });
 }
 

@@ -4,11 +4,15 @@
 #include <charconv>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "core/base/platform.h"
 #include "core/document/extract.h"
+#include "core/document/piece_looks.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/soup_file.h"
+#include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
 
 namespace kerf {
@@ -73,6 +77,24 @@ Status keep(const fs::path& file, const fs::path& previous) {
   if (!error) return Done{};
   return failed("cannot keep the previous version of " + file.string() + " as " + previous.string() + ": " +
                 error.message());
+}
+
+// Writes faces as an OBJ file, or as a Kerf mesh if the body has looks.
+Status save_faces(const Body& body, std::span<const FaceId> faces, const fs::path& file) {
+  Extract e = extract_faces(body, faces);
+  if (!body.looks) {
+    const MeshView view{e.positions, e.triangles, e.materials, body.material_names, {}, {}, e.colours};
+    return write_mesh(view, file, MeshFormat::kObj);
+  }
+  Soup soup;
+  soup.positions = std::move(e.positions);
+  soup.colours = std::move(e.colours);
+  soup.triangles = std::move(e.triangles);
+  soup.materials = std::move(e.materials);
+  soup.material_names = body.material_names;
+  soup.looks = looks_of(body, faces, LookNormals::kSmooth);
+  soup.surfaces = body.looks->surfaces();
+  return write_file_atomically(file, encode_soup(soup));
 }
 
 }  // namespace
@@ -181,12 +203,10 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     for (const auto& piece : faces_by_piece(body, false))
       faces.insert(faces.end(), piece.begin(), piece.end());
     std::sort(faces.begin(), faces.end());
-    const Extract e = extract_faces(body, faces);
     char name[40];
-    std::snprintf(name, sizeof name, "body-%04zu.obj", description.bodies.size() + 1);
-    const MeshView view{e.positions, e.triangles, e.materials, body.material_names, {}, {}, e.colours};
-    if (const Status written = write_mesh(view, folder / name, MeshFormat::kObj); !written)
-      return written.error();
+    std::snprintf(name, sizeof name, "body-%04zu.%s", description.bodies.size() + 1,
+                  body.looks ? std::string(kSoupFileEnding).c_str() : "obj");
+    if (const Status written = save_faces(body, faces, folder / name); !written) return written.error();
     SceneBody entry;
     entry.mesh = folder / name;
     entry.name = body.name;

@@ -23,6 +23,7 @@
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/readers.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/soup_file.h"
 #include "core/mesh/weld.h"
 
 namespace kerf {
@@ -101,6 +102,7 @@ Error not_a_mesh(const std::string& name, std::string_view kind) {
 
 Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
                    const Progress* progress) {
+  if (is_soup_file(bytes)) return read_soup(bytes, name);
   const std::optional<MeshFormat> by_content = recognise_format(bytes, {});
   if (!by_content) {
     // A file of no other kind may be a damaged one of the format of its extension.

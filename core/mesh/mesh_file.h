@@ -14,11 +14,11 @@
 
 namespace kerf {
 
-// Reads an OBJ, PLY, STL, OFF, glTF or 3MF file. The content determines the format; the extension of the name
-// is only a hint. Fails for anything but a regular file, for files of more than 4 GiB, and for errors of the
-// format's reader, with one sentence that names the file and the line or byte; fails with cancelled() when
-// stopped. `progress` may be null. Files may be read concurrently. Holds the whole file in memory in addition
-// to the result. Linear in its size.
+// Reads an OBJ, PLY, STL, OFF, glTF or 3MF file, or a Kerf mesh (see read_soup). The content determines the
+// format; the extension of the name is only a hint. Fails for anything but a regular file, for files of more
+// than 4 GiB, and for errors of the format's reader, with one sentence that names the file and the line or
+// byte; fails with cancelled() when stopped. `progress` may be null. Files may be read concurrently. Holds
+// the whole file in memory in addition to the result. Linear in its size.
 Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress = nullptr);
 
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but

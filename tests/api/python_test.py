@@ -187,6 +187,45 @@ class Module(unittest.TestCase):
         with self.assertRaises(TypeError):
             pickle.dumps(self.world)
 
+    def test_pickles_scenes_and_journals_keep_attributes_materials_and_images(self):
+        image = b'\x89PNG not decoded'
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / 'paint.png').write_bytes(image)
+            (folder / 'plate.mtl').write_text('newmtl a\nKd 0.1 0.2 0.3\nmap_Kd paint.png\n')
+            (folder / 'plate.obj').write_text(
+                'mtllib plate.mtl\nv 0 0 0\nv 0.1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 3 0\nvt 3 1\nvt 0 1\nvn 0 1 0\n'
+                'usemtl a\nf 1/1/1 3/3/1 2/2/1\nusemtl b\nf 1/1/1 4/4/1 3/3/1\n')
+            plate = kerf.read(folder / 'plate.obj')
+            plate.write(folder / 'plate.glb')
+            world = kerf.World()
+            world.add(plate)
+            world.add(kerf.read(folder / 'plate.glb'), name='second')
+            world.cut([kerf.Stroke([(0, (0.2, 1, 0.5), (0, -1, 0)), (1, (0.6, 1, 0.5), (0, -1, 0))], radius=0.05)])
+            world.save_scene(folder / 'scene')
+            world.save_journal(folder / 'world.kerf')
+            restored = [[pickle.loads(pickle.dumps(piece)) for piece in world.pieces],
+                        kerf.World.open(folder / 'scene' / 'scene.json').pieces,
+                        kerf.World.open(folder / 'world.kerf').pieces]
+            self.assertEqual(kerf.World.open(folder / 'world.kerf').hash, world.hash)
+            for number, pieces in enumerate([[pickle.loads(pickle.dumps(plate))], *restored]):
+                originals = world.pieces if number else [plate]
+                self.assertEqual(len(pieces), len(originals))
+                for same, mesh in zip(pieces, originals):
+                    np.testing.assert_array_equal(same.vertices, mesh.vertices)
+                    np.testing.assert_array_equal(same.faces, mesh.faces)
+                    np.testing.assert_array_equal(same.face_materials, mesh.face_materials)
+                    self.assertEqual(same.material_names, mesh.material_names)
+                    self.assertEqual(list(same.attributes), ['TEXCOORD_0', 'NORMAL'])
+                    for key, values in mesh.attributes.items():
+                        np.testing.assert_allclose(same.attributes[key], values, atol=1e-6)
+                    same.write(folder / 'again.glb')
+                    self.assertIn(image, (folder / 'again.glb').read_bytes())
+        state, = plate.__getstate__()
+        for bad in (b'', state[:-1], b'x' + state):
+            with self.assertRaisesRegex(ValueError, '^bytes: '):
+                kerf.Mesh.__new__(kerf.Mesh).__setstate__((bad,))
+
     def test_meshes_of_other_libraries_are_accepted_by_attributes(self):
         v, f = np.array(self.mesh.vertices), np.array(self.mesh.faces)
         for other in (types.SimpleNamespace(vertices=v, faces=f.astype(np.int64)),

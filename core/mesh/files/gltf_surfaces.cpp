@@ -9,17 +9,15 @@
 
 namespace kerf {
 
-namespace {
-
-constexpr int kMaxJsonDepth = 32;
-constexpr size_t kMaxGltfImageBytes = size_t{1} << 30;
-
-// Returns true if values are nested at most this deep. Writing JSON takes stack memory for each level.
 bool is_shallow(const nlohmann::json& json, int depth) {
   if (!json.is_structured()) return true;
   return depth > 0 && std::all_of(json.begin(), json.end(),
                                   [&](const nlohmann::json& item) { return is_shallow(item, depth - 1); });
 }
+
+namespace {
+
+constexpr size_t kMaxGltfImageBytes = size_t{1} << 30;
 
 std::string json_text(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -64,7 +62,7 @@ class GltfSurfaceReader {
   }
 
   std::string object_text(const nlohmann::json* json) {
-    if (json && is_shallow(*json, kMaxJsonDepth)) return json_text(*json);
+    if (json && is_shallow(*json)) return json_text(*json);
     too_deep_ = too_deep_ || json;
     return "{}";
   }

@@ -13,6 +13,9 @@
 
 namespace kerf {
 
+// Returns true if values are nested at most this deep. Writing JSON takes stack memory for each level.
+bool is_shallow(const nlohmann::json& json, int depth = 32);
+
 // Reads materials of a glTF file (nullopt: one that only has a number), with all textures, samplers and
 // images. Images in other files are read from `folder` (see read_side_file). Appends warnings about images
 // that are missing and about materials that are nested too deeply. Returns null if there is no material.

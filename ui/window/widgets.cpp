@@ -65,54 +65,41 @@ void place_tooltip(const char* text, const std::optional<TipPicture>& picture) {
   ImGui::SetNextWindowPos({x, std::max(y, 0.0f)});
 }
 
-constexpr float kGrabPadding = 2;  // ImGui's padding around the grab
-
 // The text of the slider being edited as a text field; ImGui has one at a time, too.
 EditedText& edited_slider() {
   static EditedText text;
   return text;
 }
 
-struct Value {
-  double now, low, high;
-  bool whole;
-  // The position between the ends, 0 to 1.
-  double share(bool logarithmic) const {
-    if (!(high > low)) return 0;
-    const double x = std::clamp(now, low, high);
-    if (!logarithmic || !(low > 0)) return (x - low) / (high - low);
-    return std::log(x / low) / std::log(high / low);
-  }
-};
+// Width of a slider's value field, for short and for long texts.
+constexpr float kValueEms = 5, kMaxValueShare = 0.45f, kLongEms = 8, kMaxLongShare = 0.6f;
 
-// Returns the left and right end of the grab in the frame of the last item, as SliderBehavior places it.
-std::pair<float, float> grab_of(float left, float right, const Value& value, bool logarithmic) {
-  const float room = right - left - 2 * kGrabPadding;
-  float size = ImGui::GetStyle().GrabMinSize;
-  if (value.whole) size = std::max(size, room / static_cast<float>(value.high - value.low + 1));
-  size = std::min(size, room);
-  const float begin = left + kGrabPadding + (room - size) * static_cast<float>(value.share(logarithmic));
-  return {begin, begin + size};
+// Draws the value in a field of this size at `at`. Returns true if it was shortened.
+bool draw_value(ImVec2 at, float width, double value, const std::string& text, bool number,
+                const NumberEntry& entry) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + ImGui::GetFrameHeight()}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     style.FrameRounding);
+  const float room = width - 2 * style.FramePadding.x;
+  const std::string shown =
+      number ? fitted_number(value, entry.format, entry.unit.name, 0, room) : fitted_text(text, room);
+  list.AddText({at.x + style.FramePadding.x, at.y + style.FramePadding.y}, ImGui::GetColorU32(ImGuiCol_Text),
+               shown.c_str());
+  return shown != text;
 }
 
-// Draws the text next to the grab. Returns true if it was shortened.
-bool draw_text(const Value& value, bool logarithmic, float width, const std::string& text, bool number,
-               const NumberEntry& entry) {
-  const ImVec2 at = ImGui::GetItemRectMin();
-  const float left = at.x, right = at.x + width, padding = 0.5f * ImGui::GetStyle().FramePadding.x;
-  const auto [grab_left, grab_right] = grab_of(left, right, value, logarithmic);
-  SliderRoom room = room_beside_grab(left + padding, right - padding, grab_left - padding,
-                                     grab_right + padding, width_of_text(text));
-  std::string shown = text;
-  if (width_of_text(text) > room.width) {
-    shown = number ? fitted_number(value.now, entry.format, entry.unit.name, 0, room.width)
-                   : fitted_text(text, room.width);
-    room = room_beside_grab(left + padding, right - padding, grab_left - padding, grab_right + padding,
-                            width_of_text(shown));
-  }
-  ImGui::GetWindowDrawList()->AddText({room.at, at.y + ImGui::GetStyle().FramePadding.y},
-                                      ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
-  return shown != text;
+// Returns true if the user asks to type: a click on the value field, or a double click on the track.
+bool wants_to_type(ImVec2 at, float value_width, float width) {
+  if (!ImGui::IsWindowHovered() ||
+      (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0)
+    return false;
+  const float bottom = at.y + ImGui::GetFrameHeight();
+  const bool on_value = ImGui::IsMouseHoveringRect(at, {at.x + value_width, bottom});
+  if (on_value) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+  return (on_value && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) ||
+         (ImGui::IsMouseHoveringRect(at, {at.x + width, bottom}) &&
+          ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
 }
 
 // Draws the slider as a text field. Returns the entered number.
@@ -134,30 +121,35 @@ bool draw_slider(const Slider& slider, ImGuiDataType type, Number& value, Number
                  const NumberEntry& entry, const NumberFormat& format, const std::string& replaced) {
   const ImGuiID id = ImGui::GetID(slider.id);
   const float width = ImGui::CalcItemWidth();
-  bool changed = false;
+  bool changed = false, shortened = false;
   std::string text = replaced;
-  bool shortened = false;
   if (ImGui::TempInputIsActive(id)) {
+    ImGui::SetNextItemWidth(width);
     const std::optional<double> typed = draw_field(slider, entry, static_cast<double>(value));
     changed = typed.has_value();
     if (typed && std::is_integral_v<Number>) value = static_cast<Number>(std::round(*typed));
     if (typed && !std::is_integral_v<Number>) value = static_cast<Number>(*typed);
   } else {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string shown = entry.shown(static_cast<double>(value));
+    if (replaced.empty()) text = shown;
+    const float em = ImGui::GetFontSize(), padding = 2 * ImGui::GetStyle().FramePadding.x;
+    float field = std::min(kValueEms * em, kMaxValueShare * width);
+    if (width_of_text(text) + padding > field) field = std::min(kLongEms * em, kMaxLongShare * width);
+    const float gap = 0.5f * ImGui::GetStyle().ItemSpacing.x;
+    if (slider.takes_text && wants_to_type(at, field, width))
+      ImGui::GetCurrentContext()->NavActivateInputId = id;
+    ImGui::SetCursorScreenPos({at.x + field + gap, at.y});
+    ImGui::SetNextItemWidth(width - field - gap);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (slider.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
     if (!slider.takes_text) flags |= ImGuiSliderFlags_NoInput;
-    ImGui::PushStyleColor(ImGuiCol_Text, 0);  // ImGui would draw it under the grab
+    ImGui::PushStyleColor(ImGuiCol_Text, 0);  // the value field shows the number
     changed = ImGui::SliderScalar(slider.id, type, &value, &low, &high, format.c_str(), flags);
     ImGui::PopStyleColor();
-    const std::string shown = entry.shown(static_cast<double>(value));
-    if (replaced.empty()) text = shown;
-    if (ImGui::TempInputIsActive(id)) {
-      edited_slider().begin(number_of(shown));
-    } else {
-      const Value where{static_cast<double>(value), static_cast<double>(low), static_cast<double>(high),
-                        std::is_integral_v<Number>};
-      shortened = draw_text(where, slider.logarithmic, width, text, replaced.empty(), entry);
-    }
+    if (ImGui::TempInputIsActive(id)) edited_slider().begin(number_of(shown));
+    if (changed && replaced.empty()) text = entry.shown(static_cast<double>(value));
+    shortened = draw_value(at, field, static_cast<double>(value), text, replaced.empty(), entry);
   }
   tooltip(shortened ? (text + '\n' + slider.meaning).c_str() : slider.meaning);
   return changed;
@@ -338,14 +330,6 @@ void figure_row(const char* name, const std::string& value, const char* meaning)
   property(name);
   ImGui::AlignTextToFramePadding();
   draw_fitted_text(value, meaning);
-}
-
-SliderRoom room_beside_grab(float left, float right, float grab_left, float grab_right, float text_width) {
-  const float centred = 0.5f * (left + right - text_width);
-  const bool on_left = grab_left - left > right - grab_right;
-  if (centred + text_width <= grab_left || centred >= grab_right) return {centred, text_width};
-  if (on_left) return {std::max(left, grab_left - text_width), grab_left - left};
-  return {grab_right, right - grab_right};
 }
 
 bool real_slider(const Slider& slider, double& value, double low, double high, const RealFormat& format,

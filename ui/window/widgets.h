@@ -67,23 +67,16 @@ struct Slider {
   const char* id;       // of ImGui
   const char* meaning;  // tooltip
   bool logarithmic = false;
-  bool takes_text = true;  // Ctrl+click and Tab make it a number field (see NumberFields)
+  bool takes_text = true;  // double click, a click on the value or Tab make it a field (see NumberFields)
 };
 
-// Draws a slider as wide as the next item. The value is shown next to the grab, shortened to fit; the
-// tooltip then has it in full. Typed values are limited to the range, with a message. Returns true if the
+// Draws a slider as wide as the next item. The value is shown at the left of the track, shortened to fit;
+// the tooltip then has it in full. The track is the last item. Typed values are limited to the range, with a message. Returns true if the
 // value changed. A non-empty `text` replaces the shown number.
 bool real_slider(const Slider& slider, double& value, double low, double high, const RealFormat& format,
                  const NumberUnit& unit = {}, const std::string& text = "");
 bool whole_slider(const Slider& slider, int& value, int low, int high, const std::string& text,
                   const NumberUnit& unit = {});
-
-// Returns the place of a slider's text between `left` and `right`: the middle, or as near to it as the grab
-// in between permits.
-struct SliderRoom {
-  float at = 0, width = 0;
-};
-SliderRoom room_beside_grab(float left, float right, float grab_left, float grab_right, float text_width);
 
 inline ImVec2 to_im(Vec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 

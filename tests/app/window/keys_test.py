@@ -147,5 +147,41 @@ class SettingsTest(WindowTest):
         self.assertEqual(self.settings()["bindings"]["view.wire"], "Shift+Z")
 
 
+class PointerTest(WindowTest):
+    def test_pieces_are_copied_pasted_undone_and_redone_by_the_usual_keys(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.5, 0.5)
+        editor.press("a")
+        for key in "cvzy":
+            editor.press("ctrl", key)
+        report = editor.quit()
+        self.assertEqual((report["bodies"], report["undo_depth"]), (2, 1))
+
+    def test_a_right_click_selects_and_opens_a_menu_and_a_right_drag_only_pans(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.5, 0.5)
+        editor.hold(3)
+        editor.point_at(0.6, 0.5)
+        editor.release(3)
+        editor.pause(0.5)
+        self.assertNotIn("popup", editor.landmarks()["parts"])
+        editor.hold(3)
+        editor.release(3)
+        editor.pause(0.5)
+        self.assertIn("popup", editor.landmarks()["parts"])
+        self.assertEqual(editor.quit()["pieces_chosen"], 1)
+
+    def test_the_toolbar_runs_actions_and_a_double_click_edits_a_slider(self):
+        editor = self.open(SPHERE)
+        editor.click("view.section", 0.5, 0.5)
+        editor.point_at("radius", 0.3, 0.5)
+        editor.double_click()
+        editor.type("5 mm")
+        editor.press("Return")
+        report = editor.quit()
+        self.assertTrue(report["view"]["section"])
+        self.assertAlmostEqual(report["laser"]["radius"], 0.005)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,3 +1,4 @@
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,6 +10,8 @@
 
 #include "tests/support/checkout.h"
 #include "tests/support/editor_features.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/render/view/view_options.h"
 
 namespace kerf {
@@ -59,8 +62,9 @@ TEST_F(Actions, have_unique_stable_ids) {
 TEST_F(Actions, no_two_actions_share_a_key) {
   std::set<std::pair<int, int>> taken;
   for (const UserAction& a : actions) {
-    if (a.key == 0 || a.has_key_when) continue;
-    EXPECT_TRUE(taken.emplace(a.key, a.mods).second) << a.name;
+    if (a.has_key_when) continue;
+    for (const KeyChord& chord : {KeyChord{a.key, a.mods}, a.also})
+      EXPECT_TRUE(chord.key == 0 || taken.emplace(chord.key, chord.mods).second) << a.name;
   }
 }
 
@@ -91,6 +95,36 @@ TEST_F(Actions, a_key_toggles_a_view_switch_and_a_disabled_action_reports_why) {
   EXPECT_FALSE(run_shortcut(actions, 'Q', 0, workspace.message));
 }
 
+TEST_F(Actions, alternative_keys_run_the_same_action) {
+  World world;
+  world.add(make_body("left", test::build(test::sphere(8, 12, 1))));
+  world.add(make_body("right", test::build(test::sphere(8, 12, 2))));
+  workspace.session.document = Document(std::move(world));
+  PieceMap& looks = workspace.view.look.pieces;
+  for (const int mods : {0, GLFW_MOD_CONTROL}) {
+    EXPECT_TRUE(run_shortcut(actions, 'A', mods, workspace.message));
+    EXPECT_EQ(selected_count(looks), 2u);
+    deselect_all(looks);
+  }
+  select_piece(looks, {workspace.world().ids().front(), 0}, false);
+  EXPECT_TRUE(run_shortcut(actions, 'I', GLFW_MOD_CONTROL, workspace.message));
+  EXPECT_EQ(first_selected(looks), PieceId(workspace.world().ids().back(), 0));
+  find_action(actions, "pieces.select_similar")->run();
+  EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
+}
+
+TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_reset) {
+  ShowOptions& show = workspace.view.look.show;
+  run_shortcut(actions, 'V', 0, workspace.message);
+  run_shortcut(actions, 'C', 0, workspace.message);
+  EXPECT_TRUE(show.shadow_stencil && !show.shadow_volumes);
+  run_shortcut(actions, 'V', 0, workspace.message);
+  EXPECT_TRUE(!show.shadow_stencil && show.shadow_volumes);
+  run_shortcut(actions, 'W', 0, workspace.message);
+  find_action(actions, "view.reset_overlays")->run();
+  EXPECT_EQ(show, default_show());
+}
+
 class LayoutTable : public testing::Test {
  protected:
   using Ids = std::multiset<std::string>;
@@ -99,6 +133,7 @@ class LayoutTable : public testing::Test {
     Ids ids;
     for (const MenuLayout& menu : menus) ids.insert(menu.actions.begin(), menu.actions.end());
     ids.erase(MenuLayout::kLine);
+    std::erase_if(ids, [](const std::string& id) { return id.front() == MenuLayout::kSubmenu; });
     return ids;
   }
   template <typename List>
@@ -117,6 +152,14 @@ TEST_F(LayoutTable, lists_each_action_exactly_once) {
   Ids named = ids_of(menu_layout());
   named.merge(ids_of(palette_layout()));
   EXPECT_EQ(named, provided<std::vector<UserAction>>(&Feature::actions));
+}
+
+TEST_F(LayoutTable, context_menus_consist_of_actions) {
+  const Ids known = provided<std::vector<UserAction>>(&Feature::actions);
+  for (const bool over_piece : {false, true}) {
+    for (const std::string id : context_layout(over_piece))
+      EXPECT_TRUE(id == MenuLayout::kLine || known.contains(id)) << id;
+  }
 }
 
 TEST_F(LayoutTable, lists_each_part_of_a_panel_exactly_once) {

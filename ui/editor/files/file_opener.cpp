@@ -130,9 +130,12 @@ std::string words_on_skip(Ticks skipped) {
          " s of simulation; bodies are at their saved positions.";
 }
 
+// An error that was shown since the opening began stays.
 void report_opened(Message& message, const LoadedFiles& loaded) {
-  message.info(loaded.order.left ? "Recovered unsaved work"
-                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes));
+  const std::string opened = loaded.order.left
+                                 ? "Recovered unsaved work"
+                                 : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes);
+  message.is_error ? message.note(opened, false) : message.info(opened);
   // Without hashes the work can be cut but not saved.
   if (loaded.cannot_be_kept) message.error(loaded.cannot_be_kept->message);
   if (loaded.skipped > 0) message.info(words_on_skip(loaded.skipped));
@@ -469,6 +472,7 @@ void FileOpener::make_shadows() {
 
 void FileOpener::open(std::vector<std::filesystem::path> files) {
   KERF_ASSERT(!files.empty());
+  workspace_.message.clear();
   if (workspace_.opening.partial_world) {
     workspace_.opening.partial_world.reset();
     show_empty_stage();

@@ -132,9 +132,13 @@ class FilesFeature : public Feature {
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
     opener_.take_loaded();
     opener_.make_shadows();
-    recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
-                     workspace_.message);
+    const bool kept = recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
+                                       workspace_.message);
     workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
+    const char* state = !is_unsaved(workspace_.session, workspace_.view.look.lights) ? ""
+                        : kept                                                       ? "* (autosaved)"
+                                                                                     : "*";
+    workspace_.services.statistics.shown.file = name_of_work(workspace_.session) + state;
   }
   bool needs_redraw() const override { return workspace_.opening.loader.busy() || opener_.moving(); }
 

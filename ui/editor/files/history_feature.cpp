@@ -1,3 +1,4 @@
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
 
@@ -155,14 +156,21 @@ class HistoryFeature : public Feature {
     return {{"history", [this] { panel_.draw(workspace_); }}};
   }
   std::vector<UserAction> actions() override {
-    return {make_action("edit.undo", "Undo", "Ctrl+Z", "Reverts the last stroke or command.",
-                        [this] { request_step(true); },
-                        {.disabled_reason =
-                             [this] { return history().position() > 0 ? nullptr : "Nothing to undo"; }}),
-            make_action("edit.redo", "Redo", "Ctrl+Shift+Z", "Repeats the last undone step.",
-                        [this] { request_step(false); }, {.disabled_reason = [this] {
-                          return history().position() < history().size() ? nullptr : "Nothing to redo";
-                        }})};
+    return {{.id = "edit.undo",
+             .name = "Undo",
+             .shortcut = "Ctrl+Z",
+             .tip = "Reverts the last stroke or command.",
+             .run = [this] { request_step(true); },
+             .disabled_reason = [this] { return can_step(true) ? nullptr : "Nothing to undo"; },
+             .menu_name = [this] { return "Undo" + step_name(true); }},
+            {.id = "edit.redo",
+             .name = "Redo",
+             .shortcut = "Ctrl+Shift+Z",
+             .also = {GLFW_KEY_Y, GLFW_MOD_CONTROL},
+             .tip = "Repeats the last undone step.",
+             .run = [this] { request_step(false); },
+             .disabled_reason = [this] { return can_step(false) ? nullptr : "Nothing to redo"; },
+             .menu_name = [this] { return "Redo" + step_name(false); }}};
   }
 
   void write_session_log(nlohmann::ordered_json& report) const override {
@@ -171,6 +179,16 @@ class HistoryFeature : public Feature {
 
  private:
   const UndoStack& history() const { return workspace_.session.document.history(); }
+  bool can_step(bool back) const {
+    return back ? history().position() > 0 : history().position() < history().size();
+  }
+  // Returns " " and the short name of the step that would be undone or repeated; empty if there is none.
+  std::string step_name(bool back) const {
+    if (!can_step(back)) return "";
+    const std::string words =
+        step_words(history(), history().position() - (back ? 1 : 0), workspace_.view.frame.unit);
+    return " " + words.substr(0, words.find_first_of(",:"));
+  }
   void request_step(bool back) {
     workspace_.changes.enqueue(back ? "Undo" : "Redo",
                                [this, back] { workspace_.changes.step_through_history(back); });

@@ -7,9 +7,12 @@
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
+#include "core/base/platform.h"
 #include "core/document/cut_effects.h"
+#include "ui/editor/inspect/graph_canvas.h"
 #include "ui/editor/inspect/graph_views.h"
 #include "ui/editor/shared/feature.h"
+#include "ui/editor/shared/file_browser.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
@@ -212,6 +215,13 @@ class GraphFeature : public Feature {
                            seen ? std::optional(workspace_.input.pointer) : std::nullopt);
              }}};
   }
+  std::vector<UserAction> actions() override {
+    return {make_action("graph.export", "Export Graph...", "",
+                        "Writes the graph of the Graph panel to an image (.svg).", [this] { select_file(); },
+                        {.disabled_reason = [this] {
+                          return graph_.drawn() ? nullptr : "Open the Graph panel first: it reads the graph.";
+                        }})};
+  }
   std::vector<Gesture> gestures() const override {
     return {{"fit_graph", "F over the graph", "Show all of it, while the pointer is over it"}};
   }
@@ -254,6 +264,24 @@ class GraphFeature : public Feature {
   }
 
  private:
+  void select_file() {
+    browse(workspace_.services.browser,
+           {.title = "Export Graph",
+            .verb = "Export",
+            .hint = "File name (.svg)",
+            .endings = {".svg"},
+            .take = [this](const std::filesystem::path& file) { return export_to(file); },
+            .inputs = [this] { return inputs_of(workspace_.session); }},
+           workspace_.settings.folder, "graph.svg");
+  }
+  std::string export_to(const std::filesystem::path& file) {
+    if (!graph_.drawn()) return "There is no graph";
+    const Status written = write_file_atomically(file, graph_svg(*graph_.drawn(), graph_.layout()));
+    if (!written) return written.error().message;
+    workspace_.message.info("Exported: " + file.string());
+    return "";
+  }
+
   Workspace& workspace_;
   GraphState graph_;
   GraphPanel panel_;
@@ -297,7 +325,7 @@ void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewSt
   const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
   KERF_ASSERT(graph.start() < drawn.of.size());
   const uint32_t start = drawn.of[graph.start()];
-  if (framed_ != graph.number()) canvas_.show_start();
+  if (framed_ != graph.number()) canvas_.fit();
   framed_ = graph.number();
   const bool to_scale = graph.placing() != GraphState::Placing::kForce;
   const GraphCanvas::Pointer on_canvas = canvas_.draw(

@@ -21,6 +21,11 @@ class TwinCut {
   // Returns false if the document is too large to copy.
   bool there() const { return there_; }
   const World& world() const { return document_.world(); }
+  // Returns the number of faces that the stroke has created so far.
+  size_t faces_made() const {
+    const UndoStack& history = document_.history();
+    return history.last_cut() ? history.step(*history.last_cut()).totals().statistics.faces_made : 0;
+  }
   const Resolution& resolution() const { return resolution_; }
 
   // Discards the twin because the document was replaced.

@@ -10,11 +10,13 @@
 #include "core/base/deterministic_math.h"
 #include "core/base/json.h"
 #include "core/mesh/files/mesh_format.h"
+#include "ui/editor/laser/resolution_chart.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/render/view/camera.h"
 #include "ui/window/number_text.h"
@@ -163,7 +165,7 @@ bool radius_row(LaserControls& laser, FileUnit file_unit) {
   const double low = laser.default_radius / LaserControls::kRadiusSpan / unit.metres;
   const double high = laser.default_radius * LaserControls::kRadiusSpan / unit.metres;
   constexpr const char* kMeaning =
-      "Half the width of the cut. Ctrl+click to type a number, right-click for the default.";
+      "Half the width of the cut. Double-click to type a number, right-click for the default.";
   if (real_slider({"Radius", "##radius", kMeaning, true}, shown, low, high, "%.3g ", length_unit(unit.name)))
     laser.radius = shown * unit.metres;
   mark_last_item("radius");
@@ -186,6 +188,9 @@ bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
   return changed;
 }
 
+constexpr int kRingPoints = 48;
+constexpr double kChartSeconds = 0.02;  // of a frame, for the chart of resolutions
+constexpr double kSteepest = 0.2;  // cosine of the angle of incidence from which the ring grows no longer
 constexpr double kRadiusStep = 1.25;
 constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
@@ -197,8 +202,9 @@ class DrawnStroke : public Interaction {
   }
 
   void move(const InputEvent& event) override {
+    const bool shift = (event.mods & GLFW_MOD_SHIFT) != 0;
     workspace_.beam.move(workspace_.session.document, workspace_.view.seen(),
-                         workspace_.view.in_picture(workspace_.input.pointer),
+                         workspace_.view.in_picture(line_.follow(workspace_.input.pointer, shift)),
                          2 / workspace_.view.pane().size.y, event.seconds);
   }
   void release(const InputEvent& event) override {
@@ -206,10 +212,18 @@ class DrawnStroke : public Interaction {
   }
   bool over() const override { return !workspace_.beam.cutting(); }
   bool cuts() const override { return true; }
-  const char* words() const override { return "Cutting... release to finish, Esc to stop"; }
+  const char* words() const override { return "Cutting... release to finish, Esc to stop, Shift for a line"; }
+  void draw(ImDrawList& list) const override {
+    const auto degrees = line_.degrees();
+    if (!degrees) return;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = to_im(workspace_.input.pointer + Vec2(1.5 * em, -1.5 * em));
+    list.AddText(at, colours::kPictureText, text_of("%.0f\u00b0", *degrees).c_str());
+  }
 
  private:
   Workspace& workspace_;
+  StraightLine line_;
 };
 
 const char* recut_disabled_reason(const Document& document) {
@@ -282,6 +296,7 @@ class LaserFeature : public Feature {
     workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
   void after_queue(double seconds) override {
+    if (!workspace_.changes.is_pending()) chart_.advance(workspace_.session.document, kChartSeconds);
     if (!workspace_.changes.is_pending()) {
       progress_.follow(workspace_.session.document, workspace_.links.holds_back(), seconds);
       workspace_.services.statistics.shown.work = progress_.text();
@@ -296,10 +311,11 @@ class LaserFeature : public Feature {
     report["laser"] = {{"radius", workspace_.laser.radius}, {"power", workspace_.laser.power}};
   }
   bool needs_redraw() const override {
-    return sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits();
+    return chart_.busy() || sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits();
   }
   void on_document_opened() override {
     workspace_.beam = LaserTool();
+    chart_.clear();
     workspace_.links.cut_once = false;
     workspace_.laser.fit(workspace_.world().loaded_bounds().diagonal());
   }
@@ -339,6 +355,21 @@ class LaserFeature : public Feature {
     figure_row("Faces", grouped(workspace_.services.statistics.shown.faces), "Current faces of all bodies.");
     stroke_rows(workspace_.services.statistics.shown.stroke, workspace_.view.frame.unit);
     end_properties();
+    draw_chart(disabled_reason);
+  }
+  // Offers the last stroke at five resolutions; a click on one takes it.
+  void draw_chart(const char* disabled_reason) {
+    if (row_button(
+            chart_.busy() ? "Cutting..." : "Compare Five Resolutions", 1, disabled_reason,
+            "Cuts the last stroke at five edge lengths and charts faces against the error of the rim."))
+      chart_.begin(workspace_.session.document);
+    if (!workspace_.session.document.history().last_cut()) return;
+    const double radius = workspace_.session.document.history().last_settings().laser.radius;
+    const auto fraction = chart_.draw(radius, workspace_.view.frame.unit);
+    if (!fraction) return;
+    workspace_.laser.resolution.rule = Resolution::Rule::kTargetEdge;
+    workspace_.laser.resolution.edge_fraction = *fraction;
+    request_recut(false);
   }
   // Draws a ring with the width of the cut at the pointer.
   void draw_ring(ImDrawList& list) const {
@@ -346,16 +377,48 @@ class LaserFeature : public Feature {
     if (!cuts && (!workspace_.input.points() || workspace_.input.tool != kLaserTool ||
                   is_on_axes(workspace_.view, workspace_.input.pointer)))
       return;
-    const CameraView view = workspace_.view.seen();
-    const Vec2 p = workspace_.view.in_picture(workspace_.input.pointer);
-    const auto seen_face = pick(workspace_.world(), workspace_.view.look, view.ray(p.x, p.y));
-    const double distance = seen_face ? seen_face->length : view.focus;
-    const double seen = view.parallel ? view.half_height() : distance * view.tan_half_fov;
-    const double pixels = workspace_.laser.radius / seen * 0.5 * workspace_.view.pane().size.y;
-    const auto ring = static_cast<float>(std::clamp(pixels, kMinRing, kMaxRing));
+    const ImU32 colour = cuts ? colours::accent() : colours::kPictureText;
+    const std::vector<ImVec2> ring = ring_on_surface();
+    if (!ring.empty()) {
+      const auto count = static_cast<int>(ring.size());
+      list.AddPolyline(ring.data(), count, IM_COL32(10, 12, 16, 150), ImDrawFlags_Closed, 3.0f);
+      list.AddPolyline(ring.data(), count, colour, ImDrawFlags_Closed, 1.3f);
+      return;
+    }
     const ImVec2 at = to_im(workspace_.input.pointer);
-    list.AddCircle(at, ring + 1.5f, IM_COL32(10, 12, 16, 150), 0, 3.0f);
-    list.AddCircle(at, ring + 1.5f, cuts ? colours::accent() : colours::kPictureText, 0, 1.3f);
+    constexpr float kInner = 3, kOuter = 8;
+    for (const ImVec2& way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
+      list.AddLine({at.x + kInner * way.x, at.y + kInner * way.y},
+                   {at.x + kOuter * way.x, at.y + kOuter * way.y}, colour, 1.3f);
+  }
+  // The outline of the beam on the plane of the face under the pointer, in screen coordinates; a circle of
+  // the smallest visible size if it is smaller. Empty beside the mesh.
+  std::vector<ImVec2> ring_on_surface() const {
+    const ViewState& view = workspace_.view;
+    const Vec2 p = view.in_picture(workspace_.input.pointer);
+    const Pose ray = view.seen().ray(p.x, p.y);
+    const auto surface = surface_point(workspace_.world(), view.look, ray);
+    if (!surface || view.in_second) return {};
+    const double towards = -glm::dot(surface->normal, ray.direction);
+    const Vec3 side =
+        glm::normalize(std::abs(ray.direction.x) < 0.5 ? glm::cross(ray.direction, Vec3(1, 0, 0))
+                                                       : glm::cross(ray.direction, Vec3(0, 1, 0)));
+    const Vec3 up = glm::cross(side, ray.direction);
+    const PrimaryViewport viewport(view);
+    std::vector<ImVec2> ring;
+    for (int i = 0; i < kRingPoints; ++i) {
+      const double angle = 2 * kPi * i / kRingPoints;
+      const Vec3 offset = workspace_.laser.radius * (std::cos(angle) * side + std::sin(angle) * up);
+      // Along the beam onto the plane of the face, but not farther than at a steep angle.
+      const double along = glm::dot(surface->normal, offset) / std::max(towards, kSteepest);
+      const auto place = viewport.place_of(surface->at + offset + along * ray.direction);
+      if (!place) return {};
+      const Vec2 from = *place - workspace_.input.pointer;
+      const double length = glm::length(from);
+      const double shown = std::clamp(length, kMinRing, kMaxRing) / std::max(length, 1e-9);
+      ring.push_back(to_im(workspace_.input.pointer + shown * from));
+    }
+    return ring;
   }
   UserAction recut_action() {
     return make_action(
@@ -455,6 +518,7 @@ class LaserFeature : public Feature {
 
   Workspace& workspace_;
   CutProgress progress_;
+  ResolutionChart chart_;
   BeamSparks sparks_;
   WaitingStrokes waiting_;
   bool recut_radius_ = false;  // the requested recut also uses the current radius
@@ -467,6 +531,25 @@ class LaserFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 }  // namespace
+
+Vec2 StraightLine::follow(Vec2 pointer, bool shift) {
+  constexpr double kStep = kPi / 12, kFixedFrom = 8;  // radians; pixels
+  if (!shift) from_.reset(), way_.reset();
+  if (shift && !from_) from_ = last_.value_or(pointer);
+  if (from_ && !way_ && glm::length(pointer - *from_) >= kFixedFrom) {
+    const double angle = kStep * std::round(std::atan2(pointer.y - from_->y, pointer.x - from_->x) / kStep);
+    way_ = Vec2(std::cos(angle), std::sin(angle));
+  }
+  if (from_) pointer = way_ ? *from_ + glm::dot(pointer - *from_, *way_) * *way_ : *from_;
+  last_ = pointer;
+  return pointer;
+}
+
+std::optional<double> StraightLine::degrees() const {
+  if (!way_) return std::nullopt;
+  const double angle = std::round(-std::atan2(way_->y, way_->x) * 180 / kPi);
+  return angle < 0 ? angle + 180 : angle;
+}
 
 bool WaitingStrokes::follow(const Document& document, FileUnit unit, bool held_back, double seconds) {
   std::vector<size_t> steps = waiting_steps(document, held_back);

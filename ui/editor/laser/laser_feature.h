@@ -85,6 +85,19 @@ class BeamSparks {
   double removed_ = 0;  // kg, at the last call
 };
 
+// Keeps the pointer on a straight line while Shift is held: from its place when Shift was pressed, in the
+// direction of its first eight pixels, rounded to 15 degrees.
+class StraightLine {
+ public:
+  // Returns the place for a place of the pointer (screen coordinates). Called for each of its moves.
+  Vec2 follow(Vec2 pointer, bool shift);
+  // The angle of the line from the right, counter-clockwise [degrees, 0 to 180]; nullopt without a line.
+  std::optional<double> degrees() const;
+
+ private:
+  std::optional<Vec2> last_, from_, way_;
+};
+
 // Projects the corners of a box in the world into a viewport, in screen coordinates; nullopt if a corner
 // lies behind the eye.
 std::optional<std::array<Vec2, 8>> seen_corners(const World::Bounds& bounds, const CameraView& view,

@@ -530,7 +530,7 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
 
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
-  real_slider({"Power", "##power", "Power of the beam. Ctrl+click to type a number.", true}, laser.power,
+  real_slider({"Power", "##power", "Power of the beam. Double-click to type a number.", true}, laser.power,
               LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
   mark_last_item("laser power");
   property("Oxygen");

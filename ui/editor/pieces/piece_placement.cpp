@@ -540,11 +540,13 @@ class TransformFeature : public Feature {
              [this] { return workspace_.input.picks() && selected_count(workspace_.view.look.pieces) > 0; }});
   }
   UserAction duplicate_action() {
-    return make_action(
-        "pieces.duplicate", "Duplicate", "Shift+D",
-        "Adds a copy of the selected piece and moves it with the pointer.",
-        [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
-        {.disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }});
+    return {.id = "pieces.duplicate",
+            .name = "Duplicate",
+            .shortcut = "Ctrl+D",
+            .also = {GLFW_KEY_D, GLFW_MOD_SHIFT},
+            .tip = "Adds a copy of the selected piece and moves it with the pointer.",
+            .run = [this] { workspace_.changes.enqueue("Duplicate", [this] { duplicate(); }); },
+            .disabled_reason = [this] { return move_disabled_reason(workspace_.view.look.pieces); }};
   }
   void draw_placement() {
     if (const auto command = placement_.draw(workspace_.world(), workspace_.view))

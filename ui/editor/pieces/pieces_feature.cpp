@@ -171,6 +171,15 @@ constexpr double kSpreadStep = 0.25, kMaxSpread = 1.5;
 constexpr size_t kMaxNamed = 100;  // pieces
 constexpr const char* kPiecesPanel = "pieces";
 
+constexpr double kSimilarArea = 0.1;
+
+bool is_present(const World& world, const PieceId& piece) {
+  const std::vector<BodyId> ids = world.ids();
+  if (std::find(ids.begin(), ids.end(), piece.body) == ids.end()) return false;
+  const Records<Piece>& pieces = world.body(piece.body).pieces;
+  return piece.label < pieces.size() && pieces[piece.label].faces > 0;
+}
+
 class PiecesFeature : public Feature {
  public:
   explicit PiecesFeature(Workspace& workspace) : workspace_(workspace) {}
@@ -211,11 +220,15 @@ class PiecesFeature : public Feature {
   bool awaits_focus() const override { return list_.awaits_focus(); }
   void draw_windows() override { list_.end_hidden_edit(workspace_); }
 
-  void on_world_changed(const Delta&) override { isolation_.follow(); }
+  void on_world_changed(const Delta& delta) override {
+    isolation_.follow();
+    for (PieceId& piece : copied_) piece = named_after(delta, piece);
+  }
   void on_document_opened() override {
     workspace_.view.look.pieces.clear();
     workspace_.view.numbers = PieceNumbers();
     workspace_.view.spread = 0;
+    copied_.clear();
     isolation_.forget();
     list_.forget_rename();
   }
@@ -234,8 +247,48 @@ class PiecesFeature : public Feature {
                                                              : nullptr;
     };
     return {
-        make_action("pieces.select_all", "Select All", "Ctrl+A", "Selects all visible pieces.",
-                    [this] { select_all(); }),
+        UserAction{.id = "pieces.select_all",
+                   .name = "Select All",
+                   .shortcut = "A",
+                   .also = {GLFW_KEY_A, GLFW_MOD_CONTROL},
+                   .tip = "Selects all visible pieces.",
+                   .run = [this] { select_if([](const PieceRow&) { return true; }); }},
+        make_action("pieces.invert", "Invert Selection", "Ctrl+I",
+                    "Selects the visible pieces that are not selected, and no others.",
+                    [this] {
+                      select_if([looks = workspace_.view.look.pieces](const PieceRow& row) {
+                        const auto look = looks.find(row.id);
+                        return look == looks.end() || !look->second.selected;
+                      });
+                    }),
+        make_action("pieces.select_body", "Select Connected", "",
+                    "Selects all pieces and parts of the bodies of the selected ones.",
+                    [this] {
+                      select_like(
+                          [](const PieceRow& a, const PieceRow& b) { return a.id.body == b.id.body; });
+                    },
+                    {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.select_similar", "Select Similar Area", "",
+                    "Selects all pieces whose areas differ by at most a tenth from a selected one.",
+                    [this] {
+                      select_like([](const PieceRow& a, const PieceRow& b) {
+                        return std::abs(a.area - b.area) <= kSimilarArea * std::max(a.area, b.area);
+                      });
+                    },
+                    {.disabled_reason = no_emitter_reason}),
+        UserAction{.id = "view.frame_selected",
+                   .name = "Frame Selected",
+                   .shortcut = "F",
+                   .also = {GLFW_KEY_KP_DECIMAL},
+                   .tip = "Fits the selected pieces, or the scene if none is selected, in the viewport.",
+                   .run = [this] { frame_selected(); }},
+        make_action("pieces.copy", "Copy", "Ctrl+C", "Remembers the selected pieces for Paste.",
+                    [this] { copied_ = selected_ids(workspace_.view.look.pieces); },
+                    {.disabled_reason = no_emitter_reason}),
+        make_action(
+            "pieces.paste", "Paste", "Ctrl+V", "Adds copies of the copied pieces in place and selects them.",
+            [this] { request_paste(); },
+            {.disabled_reason = [this] { return copied_.empty() ? "No piece was copied." : nullptr; }}),
         make_action("pieces.hide", "Hide Selected", "H",
                     "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
                     {.disabled_reason = no_emitter_reason}),
@@ -244,7 +297,7 @@ class PiecesFeature : public Feature {
         UserAction{.id = "pieces.isolate",
                    .name = "Isolate Selected",
                    .shortcut = "/",
-                   .pad_key = GLFW_KEY_KP_DIVIDE,
+                   .also = {GLFW_KEY_KP_DIVIDE},
                    .tip = "Hides all other pieces; repeat to show them again.",
                    .run =
                        [this] {
@@ -348,10 +401,56 @@ class PiecesFeature : public Feature {
     end_properties();
   }
 
-  void select_all() {
+  // Selects the visible pieces for which the condition holds, and no others.
+  void select_if(const std::function<bool(const PieceRow&)>& condition) {
     for (const PieceRow& row : list_pieces(workspace_.world())) {
       PieceLook& look = workspace_.view.look.pieces[row.id];
-      look.selected = !look.hidden;
+      look.selected = !look.hidden && condition(row);
+    }
+    workspace_.view.picture_old = true;
+  }
+  // Selects the pieces that are like a selected one.
+  void select_like(const std::function<bool(const PieceRow&, const PieceRow&)>& alike) {
+    std::vector<PieceRow> selected;
+    for (const PieceRow& row : list_pieces(workspace_.world())) {
+      if (workspace_.view.look.pieces[row.id].selected) selected.push_back(row);
+    }
+    select_if([&](const PieceRow& row) {
+      return std::any_of(selected.begin(), selected.end(),
+                         [&](const PieceRow& other) { return alike(row, other); });
+    });
+  }
+  void frame_selected() {
+    Bounds bounds = selected_bounds(workspace_.world(), workspace_.view.look.pieces);
+    if (bounds.is_none()) bounds = workspace_.world().bounds();
+    workspace_.view.camera.frame(bounds, workspace_.view.aspect());
+  }
+  void request_paste() {
+    deselect_all(workspace_.view.look.pieces);
+    workspace_.changes.enqueue(
+        {.name = "Paste", .run = [this, next = size_t(0)]() mutable { return paste(next); }, .is_one = true});
+  }
+  // Pastes the copied pieces from index `next` on. Returns false if some are left because a change became
+  // pending.
+  bool paste(size_t& next) {
+    for (; next < copied_.size(); ++next) {
+      if (workspace_.changes.is_pending()) return false;
+      select_newest(next > 0);
+      const PieceId piece = copied_[next];
+      if (is_present(workspace_.world(), piece))
+        workspace_.changes.apply(DuplicatePiece{piece, workspace_.world().body(piece.body).placement});
+    }
+    if (workspace_.changes.is_pending()) return false;
+    select_newest(next > 0);
+    return true;
+  }
+  // Selects the pieces of the newest body.
+  void select_newest(bool any) {
+    const std::vector<BodyId> ids = workspace_.world().ids();
+    if (!any || ids.empty()) return;
+    const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
+    for (uint32_t label = 0; label < pieces.size(); ++label) {
+      if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;
     }
     workspace_.view.picture_old = true;
   }
@@ -399,16 +498,8 @@ class PiecesFeature : public Feature {
   PiecesList list_;
   Isolation isolation_{workspace_};
   PieceExport export_{workspace_};
+  std::vector<PieceId> copied_;  // for Paste
 };
-
-// Actions
-// --------------------------------------------------------------------------------------------------------
-
-// The panel
-// --------------------------------------------------------------------------------------------------------
-
-// Changes
-// --------------------------------------------------------------------------------------------------------
 
 }  // namespace
 

@@ -92,17 +92,17 @@ bool rim_row(ResolutionControls& to) {
       "Faces removes every face the beam touches (jagged edge); Smooth cuts faces along the beam.");
 }
 
-// A share of the radius, from twice the radius to a 32nd of it; finer to the right, as with depth.
+// A length as a share of the radius, from a 32nd of it to twice the radius.
 bool fraction_row(const char* name, double& fraction, double standard, const ShownRadius& radius,
                   const char* meaning) {
   property(name);
-  double halvings = -std::log2(fraction);
-  const double low = -std::log2(ResolutionControls::kMaxFraction),
-               high = -std::log2(ResolutionControls::kMinFraction);
-  const std::string text = length_label(radius.length * fraction, radius.unit);
   const double before = fraction;
-  if (real_slider({name, "##fraction", meaning, false, false}, halvings, low, high, "%.3f", {}, text))
-    fraction = std::exp2(-std::round(4 * halvings) / 4);
+  const LengthUnit unit = label_unit(radius.length, radius.unit);
+  const double one = radius.length / unit.metres;
+  double shown = fraction * one;
+  const double low = ResolutionControls::kMinFraction * one, high = ResolutionControls::kMaxFraction * one;
+  if (real_slider({name, "##fraction", meaning, true}, shown, low, high, "%.3g ", length_unit(unit.name)))
+    fraction = shown / one;
   mark_last_item("resolution size");
   const bool reset = reset_item(fraction, standard);
   return reset || fraction != before;
@@ -111,12 +111,12 @@ bool fraction_row(const char* name, double& fraction, double standard, const Sho
 bool edge_row(ResolutionControls& to, const ShownRadius& radius) {
   return fraction_row(
       "Edge", to.edge_fraction, ResolutionControls().edge_fraction, radius,
-      "Longest edge under the beam, 2 to 1/32 radii; finer to the right. Right-click for the default.");
+      "Longest edge under the beam, 1/32 to 2 radii; finer to the left. Right-click for the default.");
 }
 
 bool tolerance_row(ResolutionControls& to, const ShownRadius& radius) {
   return fraction_row("Tolerance", to.tolerance_fraction, ResolutionControls().tolerance_fraction, radius,
-                      "Maximum overshoot of removed faces, 2 to 1/32 radii; finer to the right. Right-click "
+                      "Maximum overshoot of removed faces, 1/32 to 2 radii; finer to the left. Right-click "
                       "for the default.");
 }
 

@@ -309,6 +309,7 @@ static void describe(KeptFields& f, Settings& s) {
   f.number("height", s.height, kMinWindow, kMaxWindow);
   f.number("split_share", s.split_share, 0, 1);
   f.flag("side_shown", s.side_shown);
+  f.flag("toolbar_shown", s.toolbar_shown);
   f.flag("antialias", s.antialias);
   f.flag("live_recut", s.live_recut);
   f.flag("prepare_preview", s.prepare_preview);

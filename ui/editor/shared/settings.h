@@ -25,6 +25,7 @@ struct Settings {
   Theme theme = Theme::kDark;
   double ui_scale = 1;  // relative to the scale of the display
   bool side_shown = true;
+  bool toolbar_shown = true;       // the tools at the edge of the viewport
   double side_ems = 21;            // width of the sidebar, sizes of the text
   double second_ems = 21;          // width of the second column, likewise
   double strip_ems = 22;           // height of the strip, likewise

@@ -13,7 +13,7 @@ namespace {
 const UserAction* action_of(std::span<const UserAction> actions, int key, int mods) {
   const UserAction* found = nullptr;
   for (const UserAction& action : actions) {
-    if (key == 0 || (action.key != key && action.pad_key != key) || action.mods != mods) continue;
+    if (!action.has_key({key, mods})) continue;
     if (action.has_key_when && action.has_key_when()) return &action;
     if (!action.has_key_when && found == nullptr) found = &action;
   }

@@ -21,7 +21,7 @@ struct UserAction {
   std::string id = {};        // "edit.undo"; empty for the items of a submenu
   std::string name;           // displayed
   std::string shortcut = {};  // in the syntax of parse_chord(); empty: none
-  int pad_key = 0;            // alternative key, GLFW_KEY_KP_*; 0: none
+  KeyChord also = {};         // an alternative, such as a key of the number pad; none if its key is 0
   std::string tip = {};
   std::function<std::optional<TipPicture>()> tip_picture = {};  // under the tip; empty: none
   std::function<void()> run = {};
@@ -32,15 +32,22 @@ struct UserAction {
   std::function<bool()> has_key_when = {};
   // The current actions of a submenu, instead of `run`. They have neither keys nor submenus.
   std::function<std::vector<UserAction>()> items = {};
-  const char* menu = nullptr;  // set by the layout table, like the next two
-  bool in_menu = true;         // false: only the command palette offers it
-  bool ends_group = false;     // a separator follows in the menu
-  int key = 0, mods = 0;       // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
+  // The name that the menu shows instead, such as "Undo Cut"; empty: `name`.
+  std::function<std::string()> menu_name = {};
+  const char* menu = nullptr;     // set by the layout table, like the next three
+  const char* submenu = nullptr;  // of the menu; null: none
+  bool in_menu = true;            // false: only the command palette offers it
+  bool ends_group = false;        // a separator follows in the menu
+  int key = 0, mods = 0;          // GLFW_KEY_* and GLFW_MOD_*, of `shortcut` (see set_shortcut); 0: none
 
   // Returns why the action is disabled, a sentence, or null.
   const char* objection() const { return disabled_reason ? disabled_reason() : nullptr; }
   // Sets the key from a text in the syntax of parse_chord(); removes the key if the text names none.
   void set_shortcut(const std::string& text);
+  // Returns true if this is the chord of the action or its alternative.
+  bool has_key(const KeyChord& chord) const {
+    return chord.key != 0 && (chord == KeyChord{key, mods} || chord == also);
+  }
 };
 
 // The current state of an action: enabled, checked, and in possession of its key; see UserAction.

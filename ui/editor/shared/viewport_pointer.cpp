@@ -66,14 +66,26 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   return turn * direction;
 }
 
-void select_under_pointer(Workspace& workspace, bool add) {
-  if (workspace.view.in_second) return workspace.message.error("Select pieces in the left half.");
+std::optional<PieceId> piece_under_pointer(const Workspace& workspace) {
+  if (workspace.view.in_second) return std::nullopt;
   const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   const std::optional<Pick> seen =
       pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
-  if (seen) {
-    const uint32_t label = workspace.world().body(seen->body).mesh.data(seen->face).piece;
-    select_piece(workspace.view.look.pieces, {seen->body, label}, add);
+  if (!seen) return std::nullopt;
+  return PieceId{seen->body, workspace.world().body(seen->body).mesh.data(seen->face).piece};
+}
+
+bool selected_under_pointer(const Workspace& workspace) {
+  const auto piece = piece_under_pointer(workspace);
+  const PieceMap& looks = workspace.view.look.pieces;
+  const auto look = piece ? looks.find(*piece) : looks.end();
+  return look != looks.end() && look->second.selected;
+}
+
+void select_under_pointer(Workspace& workspace, bool add) {
+  if (workspace.view.in_second) return workspace.message.error("Select pieces in the left half.");
+  if (const auto piece = piece_under_pointer(workspace)) {
+    select_piece(workspace.view.look.pieces, *piece, add);
   } else if (!add) {
     deselect_all(workspace.view.look.pieces);
   }

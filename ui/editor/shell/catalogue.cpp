@@ -51,10 +51,10 @@ const std::vector<MenuLayout> kMenus{
       "file.quit"}},
     {"Edit",
      {"edit.undo", "edit.redo", kLine,
-      "view.copy_camera", "view.paste_camera", kLine,
-      "pieces.select_all", "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename",
-      "pieces.delete", kLine,
-      "pieces.move", "pieces.rotate", "pieces.duplicate"}},
+      "pieces.copy", "pieces.paste", "pieces.duplicate", "pieces.delete", kLine,
+      ">Select", "pieces.select_all", "pieces.invert", "pieces.select_body", "pieces.select_similar", kLine,
+      "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename", kLine,
+      "pieces.move", "pieces.rotate"}},
     {"Tool",
      {"tool.laser", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", kLine,
       "laser.recut", kLine,
@@ -73,25 +73,28 @@ const std::vector<MenuLayout> kMenus{
       "prepare.turn_shells", kLine,
       "prepare.apply", "prepare.preview"}},
     {"Camera",
-     {"view.frame_all", "view.reset", kLine,
+     {"view.frame_selected", "view.frame_all", "view.reset", kLine,
       "view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom", kLine,
-      "view.orthographic"}},
+      "view.orthographic", kLine,
+      "view.copy_camera", "view.paste_camera"}},
     {"View",
-     {"view.shadows", "view.silhouette", "view.shadow_volumes", "view.shadow_counts", "view.shadow_facing",
-      "view.shadow_compare", "view.shadow_rays", kLine,
-      "view.rim_glow", "view.shading", "view.textures", "view.wire", "view.section", "view.boxes", "view.pieces",
-      "view.sizes", "view.heat", "view.normals", "view.face_numbers", "view.graph", "view.contacts",
-      "view.colliders", "view.centres", "view.joints", kLine,
-      "view.ghost", "view.sparks", "view.antialias", kLine,
-      "view.split", "tab.cut", "tab.view", "tab.physics", "tab.thermal", "tab.mesh", "view.panels",
-      "view.sidebar", "view.light_theme", "view.scale_up", "view.scale_down"}},
+     {"view.rim_glow", "view.shading", "view.textures", "view.wire", "view.section", "view.pieces",
+      "view.reset_overlays", kLine,
+      ">Shadows", "view.shadows", "view.silhouette", "view.shadow_volumes", "view.shadow_counts",
+      "view.shadow_facing", "view.shadow_compare", "view.shadow_rays", kLine,
+      ">Mesh", "view.sizes", "view.heat", "view.normals", "view.face_numbers", "view.ghost", kLine,
+      ">Structures", "view.boxes", "view.graph", "view.contacts", "view.colliders", "view.centres",
+      "view.joints", kLine,
+      ">Effects", "view.sparks", "view.antialias", "view.two_sided", "view.cull_backs", kLine,
+      ">Window", "tab.cut", "tab.view", "tab.physics", "tab.thermal", "tab.mesh", "view.panels",
+      "view.sidebar", "view.toolbar", "view.light_theme", "view.scale_up", "view.scale_down", kLine,
+      "view.split"}},
     {"Help",
      {"help.palette", "help.settings", "help.shortcuts", "help.messages", "help.welcome", "help.tour"}},
 };
 // clang-format on
 
 const std::vector<MenuLayout> kPaletteOnly{
-    {"View", {"view.two_sided", "view.cull_backs"}},
     {"Laser", {"laser.wider", "laser.narrower", "laser.pattern_volume", "laser.pattern_rays"}},
     {"Resolution",
      {"resolution.finer", "resolution.coarser", "resolution.by_edge_length", "resolution.by_tolerance",
@@ -102,6 +105,7 @@ const std::vector<MenuLayout> kPaletteOnly{
     {"Light", {"light.preset", "light.add", "light.remove", "light.next", "light.paper_look"}},
     {"Pieces", {"pieces.select_one", "pieces.explode_more", "pieces.explode_less"}},
     {"File", {"file.frame"}},
+    {"Graph", {"graph.export"}},
     {"Tree", {"tree.leaves_only", "tree.hit_only", "tree.level_more", "tree.level_less", "tree.colours"}},
     {"View",
      {"scalar_map.paint", "scalar_map.level", "scalar_map.longest_edge", "scalar_map.min_angle",
@@ -112,19 +116,24 @@ const std::vector<MenuLayout> kPaletteOnly{
       "section.copy", "section.paste"}},
 };
 
+constexpr const char* kPieceContext[] = {
+    "view.frame_selected", "pieces.hide",      "pieces.isolate", "pieces.rename", kLine, "pieces.move",
+    "pieces.rotate",       "pieces.duplicate", "pieces.copy",    "pieces.delete", kLine, "pieces.pin",
+    "pieces.export"};
+constexpr const char* kViewContext[] = {"view.frame_all",    "view.reset",      kLine, "pieces.paste",
+                                        "pieces.select_all", "pieces.show_all", kLine, "edit.undo",
+                                        "edit.redo"};
+
 constexpr const char* kGestures[] = {
-    "cut",        "select",       "select_box", "move_piece",      "pull_piece", "add_point",
-    "move_point", "move_emitter", "rename",     "orbit",           "pan",        "move_section",
-    "move_light", "zoom",         "fit_graph",  "look_along_axis", "escape"};
+    "cut",          "select",    "select_box",      "move_piece", "pull_piece",   "add_point",  "move_point",
+    "move_emitter", "rename",    "orbit",           "pan",        "move_section", "move_light", "zoom",
+    "context",      "fit_graph", "look_along_axis", "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},
     {"Blender",
-     "Keys of Blender where Kerf has the same action, such as A, X, N, F3, Home, Alt+H and Shift+Z.",
-     {{"view.frame_all", "Home"},
-      {"view.reset", "Ctrl+Home"},
-      {"pieces.select_all", "A"},
-      {"pieces.show_all", "Alt+H"},
+     "Keys of Blender where Kerf has the same action, such as X, N, F3, Alt+H and Shift+Z.",
+     {{"pieces.show_all", "Alt+H"},
       {"pieces.delete", "X"},
       {"view.shadow_compare", "Shift+X"},
       {"view.sidebar", "N"},
@@ -159,11 +168,15 @@ std::map<std::string, T> by_id(const Features& features, const Contribute& contr
 // Moves the actions of a menu to the end of the list, except for those that no feature has.
 void append_menu(const MenuLayout& menu, bool in_menu, std::map<std::string, UserAction>& actions,
                  std::vector<UserAction>& list) {
+  const char* submenu = nullptr;
   for (size_t i = 0; i < menu.actions.size(); ++i) {
+    if (*menu.actions[i] == MenuLayout::kSubmenu) submenu = menu.actions[i] + 1;
+    if (menu.actions[i] == std::string_view(MenuLayout::kLine)) submenu = nullptr;
     const auto found = actions.find(menu.actions[i]);
     if (found == actions.end()) continue;
     UserAction action = std::move(found->second);
     action.menu = menu.title;
+    action.submenu = submenu;
     action.in_menu = in_menu;
     action.ends_group =
         i + 1 < menu.actions.size() && std::string_view(menu.actions[i + 1]) == MenuLayout::kLine;
@@ -184,7 +197,8 @@ void draw_action(const UserAction& action) {
   KERF_ASSERT(action.run);
   const bool checked = action.checked && action.checked();
   const char* disabled_reason = action.objection();
-  if (ImGui::MenuItem(action.name.c_str(), action.shortcut.c_str(), checked, disabled_reason == nullptr))
+  const std::string name = action.menu_name ? action.menu_name() : action.name;
+  if (ImGui::MenuItem(name.c_str(), action.shortcut.c_str(), checked, disabled_reason == nullptr))
     action.run();
   if (disabled_reason != nullptr) return tooltip(disabled_reason);
   if (action.tip.empty()) return;
@@ -198,7 +212,22 @@ void draw_actions(std::span<const UserAction> actions) {
     ImGui::PushID(static_cast<int>(i));
     draw_action(actions[i]);
     ImGui::PopID();
-    if (actions[i].ends_group) ImGui::Separator();
+    if (actions[i].ends_group && actions[i].submenu == nullptr) ImGui::Separator();
+  }
+}
+
+// Draws the actions of a menu; those of a submenu are contiguous.
+void draw_menu(std::span<const UserAction> actions) {
+  for (size_t begin = 0, end = 0; begin < actions.size(); begin = end) {
+    const char* submenu = actions[begin].submenu;
+    while (end < actions.size() && actions[end].submenu == submenu) ++end;
+    const std::span<const UserAction> group = actions.subspan(begin, end - begin);
+    if (submenu == nullptr) {
+      draw_actions(group);
+    } else if (ImGui::BeginMenu(submenu)) {
+      draw_actions(group);
+      ImGui::EndMenu();
+    }
   }
 }
 
@@ -396,6 +425,10 @@ const UserAction* draw_window(CommandPalette& palette, std::span<const UserActio
 std::span<const TabLayout> tab_layout() { return kTabLayout; }
 std::span<const MenuLayout> menu_layout() { return kMenus; }
 std::span<const MenuLayout> palette_layout() { return kPaletteOnly; }
+std::span<const char* const> context_layout(bool over_piece) {
+  return over_piece ? std::span<const char* const>(kPieceContext) : kViewContext;
+}
+
 std::span<const char* const> gesture_layout() { return kGestures; }
 
 Features make_features(Workspace& workspace, const Catalogue& catalogue) {
@@ -440,7 +473,7 @@ std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Binding
     if (found == bindings.end() || action.items) continue;
     if (!parse_chord(found->second) && !found->second.empty()) continue;
     action.set_shortcut(found->second);
-    action.pad_key = 0;
+    action.also = {};
   }
   return actions;
 }
@@ -448,9 +481,8 @@ std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Binding
 const UserAction* clash_of(std::span<const UserAction> actions, const UserAction& action,
                            const KeyChord& chord) {
   for (const UserAction& other : actions) {
-    const bool same_key = (other.key == chord.key || other.pad_key == chord.key) && other.mods == chord.mods;
     const bool same_time = (other.has_key_when != nullptr) == (action.has_key_when != nullptr);
-    if (chord.key != 0 && same_key && same_time && other.id != action.id) return &other;
+    if (other.has_key(chord) && same_time && other.id != action.id) return &other;
   }
   return nullptr;
 }
@@ -518,12 +550,26 @@ void draw_menu_bar(std::span<const UserAction> actions) {
     while (end < actions.size() && std::string_view(actions[end].menu) == actions[first].menu) ++end;
     const std::span<const UserAction> menu = actions.subspan(first, end - first);
     if (has_menu(menu) && ImGui::BeginMenu(menu.front().menu)) {
-      draw_actions(menu);
+      draw_menu(menu);
       ImGui::EndMenu();
     }
     first = end;
   }
   ImGui::EndMainMenuBar();
+}
+
+void draw_context_menu(std::span<const UserAction> actions, bool opens, bool any_selected) {
+  constexpr const char* kContext = "##context";
+  if (opens) ImGui::OpenPopup(kContext);
+  if (!ImGui::BeginPopup(kContext)) return;
+  for (const char* id : context_layout(any_selected)) {
+    if (std::string_view(id) == MenuLayout::kLine) {
+      ImGui::Separator();
+    } else if (const UserAction* action = find_action(actions, id)) {
+      draw_action(*action);
+    }
+  }
+  ImGui::EndPopup();
 }
 
 std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {

@@ -40,9 +40,11 @@ struct TabLayout {
 };
 std::span<const TabLayout> tab_layout();
 
-// The actions of a menu, from top to bottom.
+// The actions of a menu, from top to bottom. An entry that begins with kSubmenu is the title of a submenu,
+// which holds the actions up to the next separator.
 struct MenuLayout {
   static constexpr const char* kLine = "";  // a separator
+  static constexpr char kSubmenu = '>';
   const char* title;
   std::vector<const char*> actions;
 };
@@ -50,6 +52,9 @@ struct MenuLayout {
 std::span<const MenuLayout> menu_layout();
 // Actions in no menu, under the titles that the command palette shows.
 std::span<const MenuLayout> palette_layout();
+
+// The actions of the context menu of the viewport, over a piece and beside all pieces.
+std::span<const char* const> context_layout(bool over_piece);
 
 // The gestures in the list of shortcuts.
 std::span<const char* const> gesture_layout();
@@ -113,6 +118,10 @@ struct Catalogue {
 
 // Draws the menus of a list of actions, in which those of one menu are contiguous.
 void draw_menu_bar(std::span<const UserAction> actions);
+
+// Draws the context menu while it is open, and opens it at the pointer if `opens`. Its content depends on
+// whether a piece is selected.
+void draw_context_menu(std::span<const UserAction> actions, bool opens, bool any_selected);
 
 // Returns how well a text matches a query, higher is better; nullopt if it does not match. Every word of the
 // query must occur in the text as a subsequence of letters, ignoring case; letters at the beginning of a

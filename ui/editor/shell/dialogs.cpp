@@ -56,45 +56,85 @@ void draw_log(const std::deque<Message::Entry>& log) {
   ImGui::EndTable();
 }
 
-constexpr float kColumnEms = 30, kKeysEms = 14;
+constexpr float kColumnEms = 28, kKeysEms = 10;
+constexpr size_t kMaxColumns = 3;
 constexpr ImGuiWindowFlags kSheet = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
 
+// A row of the sheet; a heading has no meaning.
 struct ShortcutRow {
-  const char *keys, *meaning;
+  std::string keys, meaning;
 };
 
-std::vector<ShortcutRow> rows_of_sheet(std::span<const UserAction> actions,
-                                       std::span<const Gesture> gestures) {
+// Returns the gestures and the actions with keys that match the query, grouped by menu under headings.
+std::vector<ShortcutRow> rows_of_sheet(std::span<const UserAction> actions, std::span<const Gesture> gestures,
+                                       const char* query) {
   std::vector<ShortcutRow> rows;
-  for (const Gesture& g : gestures) rows.push_back({g.gesture, g.meaning});
+  std::string group;
+  const auto add = [&](const std::string& title, const std::string& keys, const std::string& meaning) {
+    if (!fuzzy_score(query, keys + " " + meaning)) return;
+    if (group != title) rows.push_back({group = title, ""});
+    rows.push_back({keys, meaning});
+  };
+  for (const Gesture& g : gestures) add("Mouse", g.gesture, g.meaning);
   for (const UserAction& a : actions) {
-    if (!a.shortcut.empty()) rows.push_back({a.shortcut.c_str(), a.name.c_str()});
+    if (a.shortcut.empty()) continue;
+    const std::string also = chord_text(a.also);
+    add(a.menu, also.empty() ? a.shortcut : a.shortcut + ", " + also, a.name);
   }
   return rows;
 }
 
+// The width of a text column, and the number of lines that a row takes in it.
+struct SheetColumn {
+  float keys, meaning;
+  float lines(const ShortcutRow& row) const {
+    const float line = ImGui::GetTextLineHeight();
+    return std::max(ImGui::CalcTextSize(row.keys.c_str(), nullptr, false, keys).y,
+                    ImGui::CalcTextSize(row.meaning.c_str(), nullptr, false, meaning).y) /
+           line;
+  }
+};
+
 void put_row(const ShortcutRow& row) {
+  ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  ImGui::TextWrapped("%s", row.keys);
+  const bool heading = row.meaning.empty();
+  ImGui::PushStyleColor(ImGuiCol_Text, heading ? colours::accent() : colours::secondary());
+  ImGui::TextWrapped("%s", row.keys.c_str());
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", row.meaning);
+  ImGui::TextWrapped("%s", row.meaning.c_str());
 }
 
-void draw_rows(const std::vector<ShortcutRow>& rows, size_t columns) {
-  if (!ImGui::BeginTable("shortcuts", static_cast<int>(2 * columns))) return;
-  for (size_t c = 0; c < columns; ++c) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, kKeysEms);
-    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, kColumnEms - kKeysEms);
+// Draws the rows in columns of about equal height.
+void draw_rows(std::span<const ShortcutRow> rows, size_t columns) {
+  if (rows.empty()) return ImGui::TextDisabled("No shortcut matches.");
+  const float em = ImGui::GetFontSize();
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.4f * em, 1});
+  if (ImGui::BeginTable("shortcuts", static_cast<int>(columns))) {
+    const SheetColumn column{kKeysEms * em, (kColumnEms - kKeysEms - 2.5f) * em};
+    float left = 0;
+    for (const ShortcutRow& row : rows) left += column.lines(row);
+    for (size_t c = 0; c < columns && !rows.empty(); ++c) {
+      const float share = left / static_cast<float>(columns - c);
+      size_t count = 0;
+      for (float height = 0; count < rows.size() && height < share; ++count)
+        height += column.lines(rows[count]), left -= column.lines(rows[count]);
+      ImGui::TableNextColumn();
+      ImGui::PushID(static_cast<int>(c));
+      if (ImGui::BeginTable("column", 2)) {
+        ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, column.keys);
+        ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
+        for (const ShortcutRow& row : rows.first(count)) put_row(row);
+        ImGui::EndTable();
+      }
+      ImGui::PopID();
+      rows = rows.subspan(count);
+    }
+    ImGui::EndTable();
   }
-  const size_t height = (rows.size() + columns - 1) / columns;
-  for (size_t r = 0; r < height; ++r) {
-    ImGui::TableNextRow();
-    for (size_t i = r; i < rows.size(); i += height) put_row(rows[i]);
-  }
-  ImGui::EndTable();
+  ImGui::PopStyleVar();
 }
 
 constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
@@ -223,6 +263,7 @@ class Dialogs : public Feature {
   std::vector<Gesture> gestures() const override {
     return {{"orbit", "Middle drag, Alt+left drag", "Orbit"},
             {"pan", "Shift+middle drag, right drag", "Pan"},
+            {"context", "Right click", "Select the piece under the pointer and open the context menu"},
             {"zoom", "Wheel", "Zoom to the pointer"},
             {"escape", "Esc",
              "Close a menu; end the cut, even after release; stop opening a file; clear the selection"}};
@@ -242,13 +283,13 @@ class Dialogs : public Feature {
     return true;
   }
   bool clear_selection() override {
-    const bool shown = shortcuts_shown_ || workspace_.services.messages_shown;
-    shortcuts_shown_ = workspace_.services.messages_shown = false;
+    const bool shown = sheet_.shown || workspace_.services.messages_shown;
+    sheet_.shown = workspace_.services.messages_shown = false;
     return shown;
   }
   bool awaits_focus() const override { return workspace_.services.browser.open || palette_.open; }
   void draw_windows() override {
-    draw_shortcut_sheet(shortcuts_shown_, catalogue_.actions, catalogue_.gestures);
+    draw_shortcut_sheet(sheet_, catalogue_.actions, catalogue_.gestures);
     draw_message_log(workspace_.services.messages_shown, workspace_.message);
     draw_settings_page(page_, workspace_.settings, catalogue_.usual);
     const Area& picture = workspace_.view.layout.viewport;
@@ -273,6 +314,10 @@ class Dialogs : public Feature {
     actions.push_back(make_action("view.sidebar", "Sidebar", "F4",
                                   "Hides the sidebar, so that the viewport fills the window.",
                                   [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
+    bool& toolbar = workspace_.settings.toolbar_shown;
+    actions.push_back(
+        make_action("view.toolbar", "Toolbar", "", "Shows the tools at the edge of the viewport.",
+                    [&toolbar] { toolbar = !toolbar; }, {.checked = [&toolbar] { return toolbar; }}));
     return actions;
   }
   std::vector<UserAction> help_actions() {
@@ -284,8 +329,8 @@ class Dialogs : public Feature {
                     "Sets mouse speed, threads, and the shortcuts of all actions.",
                     [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
         make_action("help.shortcuts", "Shortcuts", "F1", "Lists all keys and mouse gestures.",
-                    [this] { shortcuts_shown_ = !shortcuts_shown_; },
-                    {.checked = [this] { return shortcuts_shown_; }}),
+                    [this] { sheet_ = {.shown = !sheet_.shown}; },
+                    {.checked = [this] { return sheet_.shown; }}),
         make_action("help.messages", "Messages", "",
                     "Lists all messages of the status bar in full; a click on the status bar does the same.",
                     [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
@@ -297,7 +342,7 @@ class Dialogs : public Feature {
   const Catalogue& catalogue_;
   CommandPalette palette_;
   SettingsPage page_;
-  bool shortcuts_shown_ = false;
+  ShortcutSheet sheet_;
 };
 
 }  // namespace
@@ -310,20 +355,25 @@ void draw_message_log(bool& shown, const Message& message) {
   end_centred_window();
 }
 
-void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions,
+void draw_shortcut_sheet(ShortcutSheet& sheet, std::span<const UserAction> actions,
                          std::span<const Gesture> gestures) {
-  if (!shown) return;
+  if (!sheet.shown) return;
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float room = window.x - 2 * em;
-  const size_t columns = room >= 2 * kColumnEms * em ? 2 : 1;
+  const size_t columns = std::clamp(static_cast<size_t>(room / (kColumnEms * em)), size_t(1), kMaxColumns);
   const float width = std::min(room, static_cast<float>(columns) * kColumnEms * em);
-  ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * em});
+  ImGui::SetNextWindowPos({0.5f * window.x, 2 * em}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 3 * em});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("Shortcuts", &shown, kSheet)) draw_rows(rows_of_sheet(actions, gestures), columns);
+  if (ImGui::Begin("Shortcuts", &sheet.shown, kSheet)) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##query", "Search shortcuts", sheet.query.data(), sheet.query.size());
+    mark_last_item("shortcut search");
+    draw_rows(rows_of_sheet(actions, gestures, sheet.query.data()), columns);
+  }
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,8 +17,13 @@ namespace kerf {
 // Draws the message log, latest first, while `shown`; its button closes it.
 void draw_message_log(bool& shown, const Message& message);
 
-// Draws the window that lists all gestures and keys while `shown`; its button closes it.
-void draw_shortcut_sheet(bool& shown, std::span<const UserAction> actions, std::span<const Gesture> gestures);
+// The window that lists all gestures and keys, grouped by menu, with a search field.
+struct ShortcutSheet {
+  bool shown = false;
+  std::array<char, 64> query{};
+};
+void draw_shortcut_sheet(ShortcutSheet& sheet, std::span<const UserAction> actions,
+                         std::span<const Gesture> gestures);
 
 // The settings window for the speed of the mouse and the keys of actions. The next key pressed is bound; one
 // that belongs to another action is reassigned only if the user confirms.

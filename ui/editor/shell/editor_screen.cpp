@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "core/base/json.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/user_input.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/editor/shell/session_statistics.h"
+#include "ui/editor/shell/toolbar.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/gui.h"
 #include "ui/window/number_text.h"
@@ -55,10 +57,32 @@ std::optional<InputEvent> DeferredPress::press_of(const InputEvent& event) {
 
 namespace {
 
+// The right button: a drag pans; a click selects the piece under the pointer and opens the context menu.
+class PanOrMenu : public Pan {
+ public:
+  explicit PanOrMenu(Workspace& workspace)
+      : Pan(workspace), workspace_(workspace), pressed_(workspace.input.pointer) {}
+  void move(const InputEvent& event) override {
+    pans_ = pans_ || glm::length(workspace_.input.pointer - pressed_) > kClickReach;
+    if (pans_) Pan::move(event);
+  }
+  void release(const InputEvent&) override {
+    if (pans_) return;
+    if (!selected_under_pointer(workspace_)) select_under_pointer(workspace_, false);
+    workspace_.input.asks_for_menu = true;
+  }
+  const char* words() const override { return pans_ ? Pan::words() : nullptr; }
+
+ private:
+  Workspace& workspace_;
+  Vec2 pressed_;
+  bool pans_ = false;
+};
+
 std::unique_ptr<Interaction> begin(Workspace& workspace, const Features& features, const InputEvent& event) {
   const bool alt = (event.mods & GLFW_MOD_ALT) != 0, left = event.button == GLFW_MOUSE_BUTTON_LEFT;
   const Press press{event, (event.mods & GLFW_MOD_SHIFT) != 0, (event.mods & GLFW_MOD_CONTROL) != 0};
-  if (event.button == GLFW_MOUSE_BUTTON_RIGHT) return std::make_unique<Pan>(workspace);
+  if (event.button == GLFW_MOUSE_BUTTON_RIGHT) return std::make_unique<PanOrMenu>(workspace);
   if (event.button == GLFW_MOUSE_BUTTON_MIDDLE && press.shift) return std::make_unique<Pan>(workspace);
   if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || (left && alt)) return std::make_unique<Orbit>(workspace);
   for (size_t i = 0; left && i < features.size(); ++i) {
@@ -410,6 +434,8 @@ void EditorScreen::draw() {
 void EditorScreen::draw_panels() {
   const Layout& layout = workspace_.view.layout;
   draw_menu_bar(catalogue_.actions);
+  draw_context_menu(catalogue_.actions, std::exchange(workspace_.input.asks_for_menu, false),
+                    selected_count(workspace_.view.look.pieces) > 0);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
   workspace_.services.badges.begin_frame();
@@ -418,6 +444,7 @@ void EditorScreen::draw_panels() {
   list.PopClipRect();
   draw_panel_areas(layout, catalogue_.panels, workspace_.services.panels, workspace_.settings);
   draw_splitters(layout, workspace_.settings);
+  if (workspace_.settings.toolbar_shown) draw_toolbar(layout.viewport, catalogue_.actions);
   const char* hint = workspace_.input.held ? workspace_.input.held->words() : nullptr;
   for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->status_hint();
   if (!workspace_.input.held && !workspace_.services.statistics.shown.work.empty())

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ui/window/icons.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -22,7 +23,7 @@ constexpr std::array kPlaces{Place{Dock::kColumn, "In Its Tab"},
                              Place{Dock::kStrip, "Below the Viewport"}, Place{Dock::kWindow, "In a Window"}};
 
 // Draws a window of which the edge with the panel is filled.
-void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
+void draw_dock_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to(at.x + size, at.y + 0.8f * size);
   const float x = at.x + 0.38f * size, y = at.y + 0.45f * size;
@@ -35,68 +36,22 @@ void draw_icon(ImVec2 at, float size, Dock dock, ImU32 colour) {
                        colour, 1);
 }
 
-using Draw = void (*)(ImDrawList& list, ImVec2 middle, float r, ImU32 colour);
-
-// A plate with a slit, and the beam that cuts it.
-void draw_cut(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
-  list.AddLine({m.x + 0.9f * r, m.y - r}, {m.x, m.y + 0.25f * r}, colour, 2);
-  list.AddLine({m.x - r, m.y + 0.45f * r}, {m.x - 0.25f * r, m.y + 0.45f * r}, colour, 2);
-  list.AddLine({m.x + 0.35f * r, m.y + 0.45f * r}, {m.x + r, m.y + 0.45f * r}, colour, 2);
-  for (const ImVec2& spark : {ImVec2(-0.5f, 0.95f), ImVec2(0.05f, 1), ImVec2(0.55f, 0.9f)})
-    list.AddLine({m.x + 0.03f * r, m.y + 0.55f * r}, {m.x + spark.x * r, m.y + spark.y * r}, colour, 1);
-}
-
-void draw_eye(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
-  list.AddBezierQuadratic({m.x - r, m.y}, {m.x, m.y - 1.25f * r}, {m.x + r, m.y}, colour, 1.5f);
-  list.AddBezierQuadratic({m.x - r, m.y}, {m.x, m.y + 1.25f * r}, {m.x + r, m.y}, colour, 1.5f);
-  list.AddCircleFilled(m, 0.32f * r, colour);
-}
-
-// Two crossed double arrows.
-void draw_arrows(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
-  for (const ImVec2& way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)}) {
-    const ImVec2 tip(m.x + way.x * r, m.y + way.y * r);
-    list.AddLine(m, tip, colour, 1.5f);
-    for (const float side : {-0.35f, 0.35f})
-      list.AddLine(
-          tip, {tip.x - 0.35f * r * way.x + side * r * way.y, tip.y - 0.35f * r * way.y + side * r * way.x},
-          colour, 1.5f);
-  }
-}
-
-void draw_thermometer(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
-  const float half = 0.27f * r;
-  list.AddRect({m.x - half, m.y - r}, {m.x + half, m.y + 0.45f * r}, colour, half, 0, 1.5f);
-  list.AddCircleFilled({m.x, m.y + 0.6f * r}, 0.44f * r, colour);
-  list.AddLine({m.x, m.y - 0.35f * r}, {m.x, m.y + 0.6f * r}, colour, 2);
-  for (const float y : {-0.7f, -0.3f, 0.1f})
-    list.AddLine({m.x + 0.5f * r, m.y + y * r}, {m.x + 0.85f * r, m.y + y * r}, colour, 1);
-}
-
-// A triangle, divided into smaller ones.
-void draw_mesh(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
-  const ImVec2 a(m.x - r, m.y + 0.8f * r), b(m.x + r, m.y + 0.8f * r), c(m.x, m.y - 0.9f * r);
-  const auto middle = [](ImVec2 p, ImVec2 q) { return ImVec2(0.5f * (p.x + q.x), 0.5f * (p.y + q.y)); };
-  list.AddTriangle(a, b, c, colour, 1.5f);
-  list.AddTriangle(middle(a, b), middle(b, c), middle(c, a), colour, 1.5f);
-}
-
 struct TabLook {
   Tab tab;
   const char* id;
   const char* name;
   const char* tip;
   const char* shortcut;
-  Draw draw;
+  Icon icon;
 };
 constexpr std::array kTabs{
-    TabLook{Tab::kCut, "cut", "Cut", "Laser, resolution, path, pieces and history.", "Alt+1", draw_cut},
+    TabLook{Tab::kCut, "cut", "Cut", "Laser, resolution, path, pieces and history.", "Alt+1", Icon::kLaser},
     TabLook{Tab::kView, "view", "View", "View, lights, AABB tree, component graph and statistics.", "Alt+2",
-            draw_eye},
-    TabLook{Tab::kPhysics, "physics", "Physics", "Falling bodies and time.", "Alt+3", draw_arrows},
-    TabLook{Tab::kThermal, "thermal", "Thermal", "Material and temperature.", "Alt+4", draw_thermometer},
+            Icon::kEye},
+    TabLook{Tab::kPhysics, "physics", "Physics", "Falling bodies and time.", "Alt+3", Icon::kMove},
+    TabLook{Tab::kThermal, "thermal", "Thermal", "Material and temperature.", "Alt+4", Icon::kThermometer},
     TabLook{Tab::kMesh, "mesh", "Mesh", "Repair, subdivision, simplification and file contents.", "Alt+5",
-            draw_mesh}};
+            Icon::kMesh}};
 
 void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -111,7 +66,7 @@ void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
     list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
     list.AddRectFilled({at.x, at.y + size.y - 2}, {at.x + size.x, at.y + size.y}, colours::accent());
   }
-  look.draw(list, {middle, at.y + 0.8f * em}, 0.5f * em, colour);
+  draw_icon(look.icon, list, {middle, at.y + 0.8f * em}, 0.5f * em, colour);
   const float text = ImGui::CalcTextSize(look.name).x;
   list.AddText({std::round(middle - 0.5f * text), at.y + 1.45f * em}, selected ? colours::text() : colour,
                look.name);
@@ -272,8 +227,8 @@ void draw_dock_button(const char* panel, float right, PanelPlaces& places) {
   const bool over = ImGui::IsItemHovered();
   tooltip("Place of this panel: its tab, a second column, below the viewport, or a window.");
   const float size = 0.75f * em;
-  draw_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size, places.dock_of(panel),
-            over ? colours::text() : colours::secondary());
+  draw_dock_icon({at.x + 0.5f * (line - size), at.y + 0.5f * (line - 0.8f * size)}, size,
+                 places.dock_of(panel), over ? colours::text() : colours::secondary());
   if (!ImGui::BeginPopup("dock")) return;
   for (const Place& place : kPlaces) {
     if (ImGui::MenuItem(place.name, nullptr, places.dock_of(panel) == place.dock))

@@ -1,7 +1,7 @@
 #include "ui/editor/shell/session_statistics.h"
 
 #include <imgui.h>
-#include <cstdio>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "core/document/text/hash.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/file_frames.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
@@ -112,11 +113,11 @@ std::string removed_text(const ShownStatistics& shown) {
 
 // Listed from the right; the first ones stay longest if there is not enough room.
 std::vector<Count> statistics_of(const ShownStatistics& shown) {
-  std::array<char, 32> frame{};
-  if (shown.frame_ms > 0) std::snprintf(frame.data(), frame.size(), "%.1f ms", shown.frame_ms);
   std::vector<Count> statistics{{count_text(shown.faces, "face"), 6.0f, colours::text()},
                                 {pieces_text(shown), 4.4f, colours::text()},
-                                {frame.data(), 3.6f, colours::secondary()}};
+                                {shown.file, 4.0f, colours::secondary()}};
+  if (shown.selected > 0)
+    statistics.push_back({std::to_string(shown.selected) + " selected", 5.0f, colours::text()});
   if (!shown.time.empty()) statistics.push_back({shown.time, 6.0f, colours::text()});
   if (shown.stroke)
     statistics.push_back({"last cut removed " + removed_text(shown), 12.4f, colours::secondary()});
@@ -217,6 +218,7 @@ void bring_up_to_date(Workspace& workspace) {
   Statistics& statistics = workspace.services.statistics;
   ShownStatistics& shown = statistics.shown;
   shown.unit = workspace.view.frame.unit;
+  shown.selected = selected_count(workspace.view.look.pieces);
   const World* as_loaded = workspace.session.as_loaded ? &*workspace.session.as_loaded : nullptr;
   shown.frame_ms = 1000 * workspace.screen.picture->seconds();
   shown.memory =

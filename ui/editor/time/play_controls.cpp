@@ -54,7 +54,7 @@ UserAction speed_action(Workspace& workspace, PlayState& play, bool faster) {
   return {.id = faster ? "physics.faster" : "physics.slower",
           .name = faster ? "Faster" : "Slower",
           .shortcut = faster ? "=" : "-",
-          .pad_key = faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT,
+          .also = {faster ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT},
           .tip = "Changes the speed between 1/8 of real time and real time.",
           .run =
               [&play, &message = workspace.message, faster] {

@@ -302,7 +302,7 @@ UserAction look_action(ViewState& view, size_t which) {
   UserAction action{.id = kIds.at(which),
                     .name = looked.name,
                     .shortcut = std::string(opposite ? "Ctrl+" : "") + kKeys.at(which / 2),
-                    .pad_key = kPadKeys.at(which / 2),
+                    .also = {kPadKeys.at(which / 2), opposite ? GLFW_MOD_CONTROL : 0},
                     .tip = "Looks along an axis; the number pad and the axes in the corner do the same."};
   action.run = [&view, &looked] { view.camera.turn_to(looked.yaw, looked.pitch); };
   return action;
@@ -349,6 +349,13 @@ class ViewFeature : public Feature {
                                                                  : nullptr;
   }
 
+  // The section belongs to the document, and keeps its state.
+  void on_document_opened() override {
+    const bool section = workspace_.view.look.show.section;
+    reset_overlays(workspace_.view.look);
+    workspace_.view.look.show.section = section;
+  }
+
   void draw_overlay(ImDrawList& list) override {
     draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
     workspace_.view.legends =
@@ -384,9 +391,10 @@ class ViewFeature : public Feature {
   }
   std::vector<UserAction> text_of_view_actions() {
     return {
-        make_action("view.copy_camera", "Copy Camera", "Ctrl+C", "Copies the position of the camera as text.",
+        make_action("view.copy_camera", "Copy Camera", "Ctrl+Shift+C",
+                    "Copies the position of the camera as text.",
                     [this] { copy_view(workspace_.view, workspace_.message); }),
-        make_action("view.paste_camera", "Paste Camera", "Ctrl+V",
+        make_action("view.paste_camera", "Paste Camera", "Ctrl+Shift+V",
                     "Sets the camera from text in the clipboard.",
                     [this] { paste_view(workspace_.view, workspace_.message); }),
     };
@@ -394,10 +402,16 @@ class ViewFeature : public Feature {
   std::vector<UserAction> camera_actions() {
     std::vector<UserAction> actions{
         make_action(
-            "view.frame_all", "Frame All", "F",
+            "view.frame_all", "Frame All", "Home",
             "Fits the scene in the viewport and keeps the direction of view.",
             [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
-        make_action("view.reset", "Reset View", "Home",
+        make_action("view.reset_overlays", "Reset All Views", "",
+                    "Turns off all overlays and debug views and restores the shadows.",
+                    [this] {
+                      reset_overlays(workspace_.view.look);
+                      workspace_.view.picture_old = true;
+                    }),
+        make_action("view.reset", "Reset View", "Ctrl+Home",
                     "Restores the view as it was when the file was opened.",
                     [this] { go_home(workspace_.view, workspace_.world().bounds()); }),
     };
@@ -406,7 +420,7 @@ class ViewFeature : public Feature {
         UserAction{.id = "view.orthographic",
                    .name = "Orthographic",
                    .shortcut = "5",
-                   .pad_key = GLFW_KEY_KP_5,
+                   .also = {GLFW_KEY_KP_5},
                    .tip = "Switches to a projection without perspective.",
                    .run = [this] { workspace_.view.camera.set_parallel(!workspace_.view.camera.parallel()); },
                    .checked = [this] { return workspace_.view.camera.parallel(); }});

@@ -441,6 +441,22 @@ void spread_further(const World& world, double spread, ViewOptions& look) {
   std::erase_if(look.pieces, [](const auto& entry) { return entry.second == PieceLook(); });
 }
 
+void ViewSwitch::flip(ViewOptions& look) const {
+  KERF_ASSERT(get(look) < states.size());
+  set(look, (get(look) + 1) % states.size());
+  if (get(look) == 0) return;
+  if (id == SwitchId::kShadowVolumes) look.show.shadow_stencil = false;
+  if (id == SwitchId::kShadowCounts) look.show.shadow_volumes = false;
+}
+
+void reset_overlays(ViewOptions& look) {
+  ViewOptions initial;
+  initial.show = default_show();
+  for (const ViewSwitch& s : view_switches()) {
+    if (s.show[0] != '\0') s.set(look, s.get(initial));
+  }
+}
+
 std::string action_id(const ViewSwitch& s) { return std::string("view.") + s.report; }
 
 std::string action_name(const ViewSwitch& s) {

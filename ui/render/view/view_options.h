@@ -314,11 +314,12 @@ struct ViewSwitch {
 
   bool is_two_state() const { return states.size() == 2; }
   // Advances to the next state, cyclically.
-  void flip(ViewOptions& look) const {
-    KERF_ASSERT(get(look) < states.size());
-    set(look, (get(look) + 1) % states.size());
-  }
+  // Sets the next state. Overlays that colour the whole picture exclude each other.
+  void flip(ViewOptions& look) const;
 };
+
+// Sets all switches that draw overlays (those with a name in `--show`) to their initial states.
+void reset_overlays(ViewOptions& look);
 
 // The id of its action: "view.wire".
 std::string action_id(const ViewSwitch& s);

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/random.h"
 #include "tests/support/made_meshes.h"
+#include "ui/editor/laser/laser_feature.h"
 
 namespace kerf {
 namespace {
@@ -46,6 +50,24 @@ TEST(LaserFeature, esc_stops_a_stroke_while_moves_are_queued) {
   EXPECT_TRUE(workspace.changes.has_requests());
   while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   EXPECT_FALSE(laser->cancel());
+}
+
+TEST(StraightLine, shift_keeps_the_pointer_on_a_line_of_whole_steps) {
+  Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    StraightLine line;
+    const auto place = [&] { return Vec2(random.uniform(0, 1000), random.uniform(0, 1000)); };
+    const Vec2 free = place(), from = line.follow(free, false);
+    EXPECT_EQ(from, free);
+    EXPECT_FALSE(line.degrees());
+    const Vec2 first = line.follow(place(), true);
+    ASSERT_TRUE(line.degrees());
+    EXPECT_EQ(std::fmod(*line.degrees(), 15), 0);
+    const Vec2 way = glm::normalize(first - from), next = line.follow(place(), true) - from;
+    EXPECT_NEAR(way.x * next.y - way.y * next.x, 0, 1e-9) << "seed 7, case " << i;
+    const Vec2 last = place();
+    EXPECT_EQ(line.follow(last, false), last);
+  }
 }
 
 }  // namespace

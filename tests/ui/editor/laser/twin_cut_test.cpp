@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
+#include "ui/editor/laser/resolution_chart.h"
 
 namespace kerf {
 namespace {
@@ -75,6 +79,36 @@ TEST_F(TwinCutTest, restarts_for_another_document) {
   first = Document();
   EXPECT_TRUE(twin.follow(first, coarse));
   EXPECT_EQ(twin.world().live_faces(), 0u);
+}
+
+// Against the distances from the segment that the axis sweeps, seen along the beam.
+TEST_F(TwinCutTest, the_chart_has_five_resolutions_and_the_errors_of_their_rims) {
+  draw_stroke(0.1);
+  ResolutionChart chart;
+  chart.begin(first);
+  while (chart.busy()) chart.advance(first, 1e-4);
+  ASSERT_EQ(chart.samples().size(), ResolutionChart::kFractions.size());
+  for (size_t i = 1; i < chart.samples().size(); ++i)
+    EXPECT_GT(chart.samples()[i].faces, chart.samples()[i - 1].faces);
+  EXPECT_LT(*chart.samples().back().error, 0.5 * *chart.samples().front().error);
+  twin.follow(first, coarse);
+  cut_twin();
+  const Mesh& mesh = twin.world().body(twin.world().ids().front()).mesh;
+  std::vector<Mesh::Side> sides;
+  mesh.append_open_sides(sides);
+  ASSERT_FALSE(sides.empty());
+  double expected = 0;
+  for (const Mesh::Side& side : sides) {
+    const Vec3 p = mesh.position(side.from);
+    const Vec2 nearest(std::clamp(p.x, -0.3, 0.3), 0.1);
+    expected = std::max(expected, std::abs(glm::length(Vec2(p.x, p.y) - nearest) - 0.1));
+  }
+  const auto& stroke = first.history().step(*first.history().last_cut()).commands();
+  EXPECT_NEAR(rim_error(twin.world(), stroke, 0.2).value_or(0), expected, 1e-12);
+  chart.begin(first);
+  draw_stroke(-0.1);
+  chart.advance(first, 1);
+  EXPECT_FALSE(chart.busy());
 }
 
 }  // namespace

@@ -1,0 +1,158 @@
+#include "ui/editor/laser/resolution_chart.h"
+
+#include <imgui.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/base/assert.h"
+#include "core/tree/swept_cylinder.h"
+#include "ui/editor/shared/command_labels.h"
+#include "ui/window/layout.h"
+#include "ui/window/number_text.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr size_t kMovesAtOnce = 16;
+constexpr float kHeightEms = 8;
+
+// The volumes that the beam of a stroke sweeps, in the frame of a body.
+std::vector<SweptCylinder> sweeps_of(const std::vector<Command>& stroke, const Placement& placement) {
+  const auto* begin = std::get_if<BeginStroke>(&stroke.front());
+  KERF_ASSERT(begin != nullptr);
+  const Laser& laser = begin->settings.laser;
+  std::vector<SweptCylinder> sweeps;
+  Pose from = begin->pose;
+  for (const Command& command : stroke) {
+    const auto* move = std::get_if<MoveBeam>(&command);
+    const Pose to = move != nullptr ? move->pose : begin->pose;
+    if (move != nullptr || sweeps.empty())
+      sweeps.emplace_back(placement.to_body(from), placement.to_body(to), laser.radius, laser.range);
+    from = to;
+  }
+  return sweeps;
+}
+
+double distance_from_boundary(const std::vector<SweptCylinder>& sweeps, const Vec3& p) {
+  double signed_distance = std::numeric_limits<double>::infinity();
+  for (const SweptCylinder& sweep : sweeps)
+    signed_distance = std::min(signed_distance, sweep.signed_distance(p));
+  return std::abs(signed_distance);
+}
+
+std::string text_of_sample(const ResolutionChart::Sample& sample, double radius, FileUnit unit) {
+  std::string text = "Edge " + length_label(sample.fraction * radius, unit) + ": " +
+                     count_text(sample.faces, "face") + " created";
+  if (sample.error) text += ", error " + length_label(*sample.error, unit);
+  return text + text_of(", %.0f ms. Click to use.", 1000 * sample.seconds);
+}
+
+// A logarithmic axis over the range of some positive values.
+class LogAxis {
+ public:
+  LogAxis(float from, float to) : from_(from), to_(to) {}
+  void add(double value) {
+    low_ = std::min(low_, std::log(value));
+    high_ = std::max(high_, std::log(value));
+  }
+  float place(double value) const {
+    const double share = high_ > low_ ? (std::log(value) - low_) / (high_ - low_) : 0.5;
+    return from_ + static_cast<float>(share) * (to_ - from_);
+  }
+
+ private:
+  float from_, to_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+}  // namespace
+
+std::optional<double> rim_error(const World& world, const std::vector<Command>& stroke, double edge) {
+  KERF_ASSERT(edge > 0);
+  std::optional<double> error;
+  std::vector<Mesh::Side> sides;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    const std::vector<SweptCylinder> sweeps = sweeps_of(stroke, body.placement);
+    sides.clear();
+    body.mesh.append_open_sides(sides);
+    for (const Mesh::Side& side : sides) {
+      const double from = distance_from_boundary(sweeps, body.mesh.position(side.from));
+      const double to = distance_from_boundary(sweeps, body.mesh.position(side.to));
+      if (std::max(from, to) <= edge) error = std::max({error.value_or(0), from, to});
+    }
+  }
+  return error;
+}
+
+void ResolutionChart::begin(const Document& document) {
+  KERF_ASSERT(document.history().last_cut());
+  clear();
+  next_ = 0;
+  revision_ = document.revision();
+}
+
+void ResolutionChart::advance(Document& document, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const UndoStack& history = document.history();
+  if (!busy()) return;
+  if (!history.last_cut() || document.revision() != revision_) return clear();
+  ResolutionControls controls;
+  controls.edge_fraction = kFractions.at(next_);
+  twin_.follow(document, controls);
+  if (!twin_.there()) return clear();
+  const Clock::time_point began = Clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+  while (twin_.waiting() > 0 && passed() < seconds) {
+    if (!twin_.step(kMovesAtOnce)) return clear();
+  }
+  seconds_ += passed();
+  if (twin_.waiting() > 0) return;
+  const double radius = history.last_settings().laser.radius;
+  samples_.push_back({kFractions.at(next_), twin_.faces_made(), std::exchange(seconds_, 0),
+                      rim_error(twin_.world(), history.step(history.base_of(*history.last_cut())).commands(),
+                                kFractions.at(next_) * radius)});
+  if (++next_ == kFractions.size()) twin_.forget();
+}
+
+std::optional<double> ResolutionChart::draw(double radius, FileUnit unit) const {
+  if (samples_.empty()) return std::nullopt;
+  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("##chart", {width, kHeightEms * em});
+  mark_last_item("resolution chart");
+  const bool hovered = ImGui::IsItemHovered(), clicked = ImGui::IsItemClicked();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + kHeightEms * em}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3);
+  LogAxis faces(at.x + 1.2f * em, at.x + width - 1.2f * em);
+  LogAxis errors(at.y + (kHeightEms - 2) * em, at.y + 1.8f * em);
+  const auto height = [](const Sample& s) { return std::max(s.error.value_or(s.seconds), 1e-12); };
+  for (const Sample& s : samples_) faces.add(static_cast<double>(s.faces) + 1), errors.add(height(s));
+  std::optional<size_t> nearest;
+  std::vector<ImVec2> places;
+  for (const Sample& s : samples_)
+    places.push_back({faces.place(static_cast<double>(s.faces) + 1), errors.place(height(s))});
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  for (size_t i = 0; hovered && i < places.size(); ++i) {
+    if (!nearest || std::abs(places[i].x - pointer.x) < std::abs(places[*nearest].x - pointer.x)) nearest = i;
+  }
+  list.AddPolyline(places.data(), static_cast<int>(places.size()), colours::secondary(), 0, 1.5f);
+  for (size_t i = 0; i < places.size(); ++i)
+    list.AddCircleFilled(places[i], nearest == i ? 5.0f : 3.5f,
+                         nearest == i ? colours::accent() : colours::text());
+  const bool has_errors = samples_.front().error.has_value();
+  list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(), has_errors ? "Rim error" : "Time");
+  const char* right = "Faces created";
+  list.AddText({at.x + width - ImGui::CalcTextSize(right).x - 0.4f * em, at.y + (kHeightEms - 1.3f) * em},
+               colours::secondary(), right);
+  if (!nearest) return std::nullopt;
+  ImGui::SetTooltip("%s", text_of_sample(samples_[*nearest], radius, unit).c_str());
+  return clicked ? std::optional(samples_[*nearest].fraction) : std::nullopt;
+}
+
+}  // namespace kerf

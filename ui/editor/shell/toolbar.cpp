@@ -1,0 +1,83 @@
+#include "ui/editor/shell/toolbar.h"
+
+#include <imgui.h>
+#include <array>
+#include <string>
+
+#include "ui/editor/shell/catalogue.h"
+#include "ui/window/icons.h"
+#include "ui/window/theme.h"
+#include "ui/window/widgets.h"
+
+namespace kerf {
+
+namespace {
+
+struct Tool {
+  const char* action;
+  Icon icon;
+  bool begins_group = false;
+};
+constexpr std::array kTools{Tool{"tool.laser", Icon::kLaser},
+                            Tool{"tool.path", Icon::kPath},
+                            Tool{"emitter.place", Icon::kEmitter},
+                            Tool{"tool.pick", Icon::kPointer, true},
+                            Tool{"pieces.move", Icon::kMove},
+                            Tool{"pieces.rotate", Icon::kRotate},
+                            Tool{"tool.inspect", Icon::kCallipers, true},
+                            Tool{"tool.ruler", Icon::kRuler},
+                            Tool{"view.section", Icon::kSection}};
+constexpr float kButtonEms = 2.1f, kGapEms = 0.5f;
+
+std::string tip_of(const UserAction& action) {
+  std::string tip = action.name;
+  if (!action.shortcut.empty()) tip += " (" + action.shortcut + ")";
+  const char* disabled_reason = action.objection();
+  return tip + "\n" + (disabled_reason != nullptr ? disabled_reason : action.tip);
+}
+
+void draw_tool(const Tool& tool, const UserAction& action) {
+  const float size = kButtonEms * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool disabled = action.objection() != nullptr, lit = action.checked && action.checked();
+  if (ImGui::InvisibleButton(tool.action, {size, size}) && !disabled) action.run();
+  mark_last_item(tool.action);
+  const bool over = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (lit || (over && !disabled))
+    list.AddRectFilled(at, {at.x + size, at.y + size},
+                       ImGui::GetColorU32(lit ? ImGuiCol_FrameBgActive : ImGuiCol_FrameBgHovered), 3);
+  const ImU32 colour = disabled ? ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.5f)
+                       : lit    ? colours::accent()
+                                : colours::text();
+  draw_icon(tool.icon, list, {at.x + 0.5f * size, at.y + 0.5f * size}, 0.27f * size, colour);
+  tooltip(tip_of(action).c_str());
+}
+
+}  // namespace
+
+void draw_toolbar(const Area& viewport, std::span<const UserAction> actions) {
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  const float em = ImGui::GetFontSize();
+  const float height = (kTools.size() * kButtonEms + 4 * kGapEms) * em;
+  if (viewport.size.y < height + 8 * em) return;
+  ImGui::SetNextWindowPos({static_cast<float>(viewport.at.x) + kGapEms * em,
+                           static_cast<float>(viewport.at.y + 0.5 * viewport.size.y)},
+                          ImGuiCond_Always, {0, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.25f * em, 0.25f * em});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 4);
+  if (ImGui::Begin("##toolbar", nullptr, kFlags)) {
+    for (const Tool& tool : kTools) {
+      if (tool.begins_group) ImGui::Dummy({0, kGapEms * em});
+      if (const UserAction* action = find_action(actions, tool.action)) draw_tool(tool, *action);
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace kerf

@@ -15,9 +15,6 @@ namespace kerf {
 
 namespace {
 
-// The width of a mesh whose squared lengths are finite [m].
-constexpr double kMaxSize = 1e150;
-
 // The table of materials, read once.
 const Result<std::vector<Material>>& materials() {
   static const Result<std::vector<Material>> table = load_materials(assets_folder() / "materials.json");
@@ -155,10 +152,12 @@ Result<Body> AddedBody::create(const Progress* progress) const {
   ProgressShares shares(progress);
   const Progress building = shares.next(0.5), growing = shares.next(0.5);
   auto built = build_mesh(soup_of(*mesh), &building);
-  if (!built) return built.error();
+  if (!built) {
+    const bool bad = built.error().code == ErrorCode::kBadInput;
+    return bad ? bad_input("mesh: " + built.error().message) : built.error();
+  }
   auto body = make_body(name, std::move(*built), &growing);
   if (!body) return body;
-  if (!(body->bounds().diagonal() <= kMaxSize)) return bad_input("mesh: must be at most 1e150 m wide");
   body->placement = placement;
   body->sheet = sheet;
   body->hidden = hidden;

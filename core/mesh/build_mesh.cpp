@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 #include <utility>
 
@@ -20,6 +21,7 @@ namespace kerf {
 namespace {
 
 constexpr size_t kItems = 1 << 16;  // triangles, edges or vertices per range
+constexpr double kMaxWidth = 1e150;  // m; squared lengths are finite
 
 class Builder {
  public:
@@ -314,6 +316,8 @@ class Builder {
       report_.min = glm::min(report_.min, at[v]);
       report_.max = glm::max(report_.max, at[v]);
     }
+    if (!(glm::length(report_.max - report_.min) <= kMaxWidth))
+      return bad_input("the mesh is wider than 1e150 m; check its coordinates and their unit");
     return Done{};
   }
 

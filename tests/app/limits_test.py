@@ -31,8 +31,8 @@ class Limits(unittest.TestCase):
         command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)]
         return subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=300)
 
-    def assert_one_sentence(self, done, *words):
-        self.assertEqual(done.returncode, 1, done.stderr)
+    def assert_one_sentence(self, done, *words, status=1):
+        self.assertEqual(done.returncode, status, done.stderr)
         said = [line for line in done.stderr.splitlines() if line and not line.startswith("libEGL warning")]
         self.assertEqual(len(said), 1, done.stderr)
         self.assertTrue(said[0].startswith("kerf: "), done.stderr)
@@ -62,6 +62,18 @@ class Limits(unittest.TestCase):
             finer = name
         done = self.run_kerf("cut", large, "--out", "out", limit="ulimit -v 160000", KERF_THREADS="1")
         self.assert_one_sentence(done, "large.obj", "memory")
+
+    def test_a_mesh_whose_squared_lengths_overflow_is_rejected(self):
+        for name, width in (("wide.obj", "1e160"), ("wider.obj", "1.7e308")):
+            with open(os.path.join(self.folder, name), "w") as file:
+                file.write(f"v -{width} 0 0\nv {width} 0 0\nv 0 0 {width}\nf 1 2 3\n")
+            with open(os.path.join(self.folder, "scene.json"), "w") as file:
+                json.dump({"bodies": [{"mesh": name}]}, file)
+            for arguments in (("info", name), ("cut", name, "--path", "across.json", "--out", "out"),
+                              ("cut", "scene.json", "--path", "across.json", "--out", "out"),
+                              ("prepare", name, "--subdivide", "midpoint", "--out", "out.obj")):
+                with self.subTest(arguments):
+                    self.assert_one_sentence(self.run_kerf(*arguments), name, "is wider than 1e150 m", status=2)
 
     def test_the_memory_limit_is_not_recorded(self):
         done = self.run_kerf("cut", SPHERE, "--path", "across.json", "--out", "out", "--journal", "out.kerf")

@@ -96,7 +96,8 @@ std::optional<StopStroke> CommandQueue::stop_here() const {
 Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* progress) {
   close_and_trim();
   step.begin(history_.window() > 0);
-  recorder_.open(world_, at, history_.window() > 0);
+  recorder_.open(world_, at, history_.window() > 0,
+                 std::holds_alternative<AddMesh>(step.commands().front()));
   Result<Delta> delta =
       std::visit(Overloaded{
                      [&](const ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },

@@ -29,13 +29,13 @@ class Recorder {
   // The open step; nullopt between close() and open().
   std::optional<size_t> step() const { return step_; }
 
-  // Opens a step, to which all changes until close() belong; `record`: records their before-images.
-  // Precondition: no step is open.
-  void open(World& world, size_t step, bool record) {
+  // Opens a step, to which all changes until close() belong; `record`: records their before-images;
+  // `only_adds`: see World::begin_change. Precondition: no step is open.
+  void open(World& world, size_t step, bool record, bool only_adds = false) {
     KERF_ASSERT(!step_);
     step_ = step;
     recording_ = record;
-    if (record) world.begin_change();
+    if (record) world.begin_change(only_adds);
   }
   // Closes the open step and returns the changes since open() if they were recorded. Preconditions: a step
   // is open, and `world` is that of open().

@@ -64,7 +64,9 @@ Result<StepResult> CommandQueue::step(size_t most, bool one_stage, const Progres
 // a running stroke are executed, the search waits for the next command: the end of a search determines which
 // part keeps its label, and the time at which the queue becomes empty depends on the speed of execution.
 bool CommandQueue::next_searches() const {
-  if (is_settled(world_)) return false;
+  // An edit begins and ends without a search; this makes a sequence of edits linear.
+  const bool edited = history_.position() > 0 && history_.last().kind() == HistoryStep::Kind::kEdit;
+  if ((edited && pending_.empty()) || is_settled(world_)) return false;
   if (pending_.empty()) return !in_stroke();
   return pending_.front_kind() == BeamQueue::Kind::kTicks || recorder_.step() != pending_.front_step();
 }

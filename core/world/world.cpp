@@ -263,13 +263,18 @@ World& World::operator=(const World& other) {
   slots_ = other.slots_;
   situation_ = other.situation_;
   remembered_.reset();
+  first_editable_ = 0;
   return *this;
 }
 
-void World::begin_change() {
+void World::begin_change(bool only_adds) {
   remembered_ = std::make_unique<Change>();
   remembered_->situation_.begin(situation_);
   remembered_->slots_ = slots_.size();
+  if (only_adds) {
+    first_editable_ = slots_.size();
+    return;
+  }
   for (uint32_t s = 0; s < slots_.size(); ++s) {
     if (!slots_[s].alive) continue;
     remembered_->edited_.emplace_back(BodyChange{s, s, {}}).parts.begin(slots_[s].body);
@@ -313,6 +318,7 @@ void World::swap_slots(uint32_t a, uint32_t b) {
 World::Change World::end_change() {
   Change change = std::move(*remembered_);
   remembered_.reset();
+  first_editable_ = 0;
   change.situation_.end(situation_);
   change.slots_end_ = slots_.size();
   for (BodyChange& c : change.edited_) c.parts.end(slots_[c.slot].body);

@@ -174,8 +174,11 @@ class World {
   bool contains(BodyId id) const {
     return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
   }
-  // Precondition: contains(id).
-  Body& body(BodyId id) { return slots_[checked(id)].body; }
+  // Precondition: contains(id), and an open change that only adds bodies has added it.
+  Body& body(BodyId id) {
+    KERF_ASSERT(id.slot >= first_editable_);
+    return slots_[checked(id)].body;
+  }
   const Body& body(BodyId id) const { return slots_[checked(id)].body; }
   // All bodies, in the order of their slots.
   std::vector<BodyId> ids() const;
@@ -223,8 +226,9 @@ class World {
   class Change;
   // Between begin_change and end_change, all data is saved before it is edited; end_change returns the saved
   // images. exchange restores the images exactly, to the bit, and inverts the change. Changes must be
-  // exchanged in history order, the latest first. O(bodies + size of the change).
-  void begin_change();
+  // exchanged in history order, the latest first. O(bodies + size of the change). `only_adds`: the change
+  // edits no body that exists; O(size of the change).
+  void begin_change(bool only_adds = false);
   Change end_change();
   void exchange(Change& change);
   // Restores the state before the change, by edits that are recorded like any others. Bodies that the change
@@ -273,6 +277,7 @@ class World {
   Situation situation_;
   std::unique_ptr<HeatMemory> heat_memory_;  // null until it is needed
   std::unique_ptr<Change> remembered_;       // not null between begin_change and end_change
+  size_t first_editable_ = 0;                // slot from which on a change that only adds may edit bodies
 };
 
 class World::Change {

@@ -203,13 +203,16 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     for (const auto& piece : faces_by_piece(body, false))
       faces.insert(faces.end(), piece.begin(), piece.end());
     std::sort(faces.begin(), faces.end());
+    Body at_rest = body;  // far from the origin, small faces would collapse
+    at_rest.placement = {};
     char name[40];
     std::snprintf(name, sizeof name, "body-%04zu.%s", description.bodies.size() + 1,
                   body.looks ? std::string(kSoupFileEnding).c_str() : "obj");
-    if (const Status written = save_faces(body, faces, folder / name); !written) return written.error();
+    if (const Status written = save_faces(at_rest, faces, folder / name); !written) return written.error();
     SceneBody entry;
     entry.mesh = folder / name;
     entry.name = body.name;
+    entry.placement = body.placement;
     entry.sheet = body.sheet;
     entry.solid = body.solid ? Solidity::kSolid : Solidity::kSheet;
     description.bodies.push_back(std::move(entry));

@@ -121,6 +121,25 @@ class Mesh {
     check(kerf_mesh_from_bytes(bytes.data(), bytes.size(), &mesh));
     return Mesh(mesh);
   }
+  // Creates a mesh from buffers of any layout, which are copied; see kerf_mesh_create_from. Throws
+  // InvalidArgument like the constructor. O(n).
+  static Mesh from_buffers(const void* vertices, size_t vertex_count, const void* faces, size_t face_count,
+                           const kerf_layout& layout = KERF_LAYOUT_INIT) {
+    kerf_mesh* mesh = nullptr;
+    check(kerf_mesh_create_from(vertices, vertex_count, faces, face_count, &layout, &mesh));
+    return Mesh(mesh);
+  }
+  // Reads the bytes of a mesh file; see kerf_mesh_decode. format: a hint, such as "stl"; empty: none.
+  // Throws InvalidArgument if they cannot be parsed, or have no usable face. O(bytes).
+  static Mesh decode(std::span<const char> bytes, const std::string& format = {},
+                     const CallOptions& options = {}) {
+    kerf_mesh* mesh = nullptr;
+    const char* hint = format.empty() ? nullptr : format.c_str();
+    Run(options).call([&](const kerf_call_options* c) {
+      return kerf_mesh_decode(bytes.data(), bytes.size(), hint, c, &mesh);
+    });
+    return Mesh(mesh);
+  }
   // Takes ownership of a kerf_c.h handle.
   explicit Mesh(kerf_mesh* mesh) : mesh_(mesh, kerf_mesh_destroy) {}
 
@@ -136,6 +155,27 @@ class Mesh {
     check(kerf_mesh_to_bytes(get(), &bytes, &size));
     const std::unique_ptr<char, void (*)(char*)> owner(bytes, kerf_text_free);
     return {bytes, size};
+  }
+  // Returns the bytes that write() writes. format: an extension without the dot, such as "ply". Throws
+  // InvalidArgument for another format, Error if it cannot store the mesh. O(n).
+  std::string encode(const std::string& format) const {
+    char* bytes = nullptr;
+    size_t count = 0;
+    check(kerf_mesh_encode(get(), format.c_str(), &bytes, &count));
+    const std::unique_ptr<char, void (*)(char*)> owner(bytes, kerf_text_free);
+    return {bytes, count};
+  }
+  // Writes positions and faces to buffers, null to skip one; see kerf_mesh_copy_to. Throws InvalidArgument
+  // for a layout that cannot hold them. O(n).
+  void copy_to(const kerf_layout& layout, void* vertices, void* faces) const {
+    check(kerf_mesh_copy_to(get(), &layout, vertices, faces));
+  }
+  // Returns the warnings of reading the mesh, such as dropped faces, one sentence each.
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> warnings;
+    for (size_t i = 0; i < kerf_mesh_warning_count(get()); ++i)
+      warnings.emplace_back(kerf_mesh_warning(get(), i));
+    return warnings;
   }
 
   // Return three numbers per vertex (m) and three vertex indices per face. Valid while any copy of the mesh
@@ -519,6 +559,15 @@ class World {
     const size_t n = ray_count(points, points);
     return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
       return kerf_world_closest_points(get(), points.data(), n, max_distance, c, out);
+    });
+  }
+
+  // Finds the faces that a box meets; see kerf_world_faces_in_box. min, max: corners (m). Throws
+  // InvalidArgument for numbers beyond 1e150, or min > max.
+  Hits faces_in_box(const std::array<double, 3>& min, const std::array<double, 3>& max,
+                    const CallOptions& options = {}) const {
+    return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
+      return kerf_world_faces_in_box(get(), min.data(), max.data(), c, out);
     });
   }
 

@@ -78,8 +78,7 @@ typedef struct kerf_call_options {
 #define KERF_CALL_OPTIONS_INIT \
   { sizeof(kerf_call_options), NULL, NULL, 0 }
 
-/* Meshes
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Meshes -- */
 
 /* A triangle mesh, or a piece of one; immutable. */
 typedef struct kerf_mesh kerf_mesh;
@@ -93,15 +92,57 @@ typedef struct kerf_mesh kerf_mesh;
  * O(file size). */
 KERF_API kerf_result kerf_mesh_read(const char* path, const kerf_call_options* options, kerf_mesh** out);
 
-/* Creates a mesh from arrays, which are copied. Equal positions are welded when the mesh is added to a
- * world.
- * vertices: vertex_count positions (m), finite.
+/* Creates a mesh from arrays, which are copied. Equal positions are welded when it is added to a world.
+ * vertices: vertex_count positions (m), finite; faces: face_count triples of indices < vertex_count.
  * vertex_count, face_count: 1 to 2^31.
- * faces: face_count triples of vertex indices, < vertex_count.
  * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT if an array violates the above. O(n). */
 KERF_API kerf_result kerf_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, kerf_mesh** out);
+
+/* Format of the vertex and index buffers of a renderer. Strides need no alignment. */
+typedef struct kerf_layout {
+  size_t size;
+  size_t vertex_stride; /* bytes from the position of a vertex to the next; 0: no gap */
+  size_t face_stride;   /* bytes from the three indices of a face to the next; 0: no gap */
+  int is_float;         /* 1: positions are three floats, 0: three doubles */
+  int is_16_bit;        /* 1: indices are uint16_t, 0: uint32_t */
+} kerf_layout;
+#define KERF_LAYOUT_INIT \
+  { sizeof(kerf_layout), 0, 0, 0, 0 }
+
+/* Creates a mesh from buffers, which are copied.
+ * layout: null: that of kerf_mesh_create, whose other arguments and errors it has. O(n). */
+KERF_API kerf_result kerf_mesh_create_from(const void* vertices, size_t vertex_count, const void* faces,
+                                           size_t face_count, const kerf_layout* layout, kerf_mesh** out);
+
+/* Writes the positions and faces of a mesh to buffers; bytes between them stay as they are.
+ * layout: may be null.
+ * vertices, faces: room for kerf_mesh_vertex_count and kerf_mesh_face_count elements; may be null.
+ * Errors: KERF_INVALID_ARGUMENT for a stride smaller than an element, or if 16 bits are too few for the
+ * vertices. O(n). */
+KERF_API kerf_result kerf_mesh_copy_to(const kerf_mesh* mesh, const kerf_layout* layout, void* vertices,
+                                       void* faces);
+
+/* Reads a mesh from the bytes of a file, like kerf_mesh_read. Files to which the bytes refer are not read.
+ * format: null: the bytes decide; else "obj", "ply", "stl", "off", "glb", "gltf" or "3mf", used if they do
+ *   not.
+ * options: may be null.
+ * Errors: KERF_INVALID_ARGUMENT for bytes that cannot be parsed, or have no usable face. O(byte_count). */
+KERF_API kerf_result kerf_mesh_decode(const void* bytes, size_t byte_count, const char* format,
+                                      const kerf_call_options* options, kerf_mesh** out);
+
+/* Returns the bytes that kerf_mesh_write writes.
+ * format: as above, not null.
+ * bytes: receives *byte_count bytes; free them with kerf_text_free.
+ * Errors: KERF_INVALID_ARGUMENT for another format, KERF_FAILED if the format cannot store the mesh. O(n). */
+KERF_API kerf_result kerf_mesh_encode(const kerf_mesh* mesh, const char* format, char** bytes,
+                                      size_t* byte_count);
+
+/* Return the number of warnings of reading the mesh, such as dropped faces, 0 if `mesh` is null, or one of
+ * them, a sentence that is valid while the mesh exists; null if there is no such warning. O(1). */
+KERF_API size_t kerf_mesh_warning_count(const kerf_mesh* mesh);
+KERF_API const char* kerf_mesh_warning(const kerf_mesh* mesh, size_t warning);
 
 /* Destroys a mesh. No-op if `mesh` is null. */
 KERF_API void kerf_mesh_destroy(kerf_mesh* mesh);
@@ -138,28 +179,21 @@ KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
 /* Attributes of a mesh: values at the corners of its faces, as read or interpolated by cuts. Names are as in
  * glTF: TEXCOORD_0 and so on (v = 0 is the top of an image), NORMAL, TANGENT, and _NAME for custom ones. */
 
-/* Returns the number of attributes; 0 if `mesh` is null. O(1). */
+/* Return the number of attributes; the name of one, valid while the mesh exists; and its numbers per corner,
+ * 1 to 4. Null or 0 if there is none. O(1). */
 KERF_API size_t kerf_mesh_attribute_count(const kerf_mesh* mesh);
-
-/* Return the name of an attribute, valid while the mesh exists, or its numbers per corner, 1 to 4. Null or 0
- * if there is no such attribute. O(1). */
 KERF_API const char* kerf_mesh_attribute_name(const kerf_mesh* mesh, size_t attribute);
 KERF_API size_t kerf_mesh_attribute_size(const kerf_mesh* mesh, size_t attribute);
 
-/* Copies an attribute.
- * values: receives its numbers for each of the three corners of each face; NaN if the face has none.
+/* Copies an attribute. values: receives its numbers for each corner of each face; NaN if there are none.
  * Errors: KERF_INVALID_ARGUMENT if there is no such attribute. O(n). */
 KERF_API kerf_result kerf_mesh_get_attribute(const kerf_mesh* mesh, size_t attribute, float* values);
 
-/* Returns the index of the material of each face; null if the mesh has no materials. Valid while the
- * mesh exists. O(1). */
+/* Return the index of the material of each face, null if the mesh has no materials; the number of named
+ * materials; and the name of one, which may be empty, null if there is none. Valid while the mesh exists.
+ * O(1). */
 KERF_API const uint16_t* kerf_mesh_face_materials(const kerf_mesh* mesh);
-
-/* Returns the number of named materials; 0 if `mesh` is null. O(1). */
 KERF_API size_t kerf_mesh_material_count(const kerf_mesh* mesh);
-
-/* Returns the name of a material, which may be empty; null if there is no such material. Valid while
- * the mesh exists. O(1). */
 KERF_API const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t material);
 
 /* Properties of a mesh. Mass and inertia are 0 unless the mesh is a piece of a world. */
@@ -180,18 +214,15 @@ typedef struct kerf_mesh_info {
 #define KERF_MESH_INFO_INIT \
   { sizeof(kerf_mesh_info), NULL, 0, {0, 0, 0}, 0, 0, {0, 0, 0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0 }
 
-/* Writes the properties of a mesh.
- * info: its size is set; zeros if `mesh` is null.
+/* Writes the properties of a mesh. info: its size is set; zeros if `mesh` is null.
  * Errors: KERF_INVALID_ARGUMENT for a null `info` or an invalid size. O(1). */
 KERF_API kerf_result kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info);
 
 /* Computes the Euler number of a mesh, vertices - edges + faces. Equal positions count as one vertex if the
- * mesh is a piece or was read from a file.
- * out: receives the number. O(n log n). */
+ * mesh is a piece or was read from a file. O(n log n). */
 KERF_API kerf_result kerf_mesh_euler_number(const kerf_mesh* mesh, int64_t* out);
 
-/* Worlds
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Worlds -- */
 
 /* The bodies that a laser cuts, with their AABB trees. */
 typedef struct kerf_world kerf_world;
@@ -208,8 +239,7 @@ typedef uint64_t kerf_body;
  * index is used again only after an undo. */
 #define KERF_NO_FACE UINT32_MAX
 
-/* Creates an empty world.
- * out: receives the world; destroy it with kerf_world_destroy. O(1). */
+/* Creates an empty world. out: receives the world; destroy it with kerf_world_destroy. O(1). */
 KERF_API kerf_result kerf_world_create(kerf_world** out);
 
 /* Creates a world from a file.
@@ -243,7 +273,7 @@ typedef struct kerf_body_desc {
  * desc, options: may be null.
  * body: receives the id; may be null.
  * Errors: KERF_INVALID_ARGUMENT for an invalid description, or a mesh wider than 1e150 m. O(n log n), about
- * 0.5 us per face, and O(bodies) for the history. */
+ * 0.5 us per face, whatever the number of bodies. */
 KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const kerf_body_desc* desc,
                                     const kerf_call_options* options, kerf_body* body);
 
@@ -269,8 +299,7 @@ typedef struct kerf_body_info {
         0                                                                                                   \
   }
 
-/* Writes the properties of a body.
- * info: its size is set.
+/* Writes the properties of a body. info: its size is set.
  * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(pieces). */
 KERF_API kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_body_info* info);
 
@@ -385,9 +414,13 @@ typedef struct kerf_cut_result {
   size_t removed_faces;
   double removed_area; /* m^2 */
   double seconds;      /* duration */
+  /* Of the thermal model, else 0. */
+  double emitted;  /* energy of the beam [J] */
+  double absorbed; /* part of it that faces absorbed [J] */
+  double depth;    /* mean while the beam hits a face: share of its energy of removal; 1: cut through */
 } kerf_cut_result;
 #define KERF_CUT_RESULT_INIT \
-  { sizeof(kerf_cut_result), 0, 0, 0 }
+  { sizeof(kerf_cut_result), 0, 0, 0, 0, 0, 0 }
 
 /* Cuts all bodies with strokes, in order, all or nothing.
  * strokes: stroke_count strokes; may be null if there is none.
@@ -407,8 +440,7 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
  * work is divided, the result equals that of kerf_world_cut for the same stroke, to the bit. Between steps
  * the world can be read: faces are removed already, pieces have their final labels when the stroke is
  * finished, and a solid is closed by then. Calls that change the world otherwise fail with KERF_BUSY until
- * the stroke is finished or cancelled.
- * ------------------------------------------------------------------------------------------------------ */
+ * the stroke is finished or cancelled. */
 
 /* Begins a stroke. Executes nothing yet.
  * stroke: its keys are the known part of the path, at least one.
@@ -437,9 +469,10 @@ typedef struct kerf_stroke_progress {
   size_t removed_faces; /* since the begin of the stroke */
   double removed_area;  /* m^2, likewise */
   double seconds;       /* duration of this step */
+  double emitted, absorbed, depth; /* as in kerf_cut_result, since the begin of the stroke */
 } kerf_stroke_progress;
 #define KERF_STROKE_PROGRESS_INIT \
-  { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0 }
+  { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* Executes a part of the stroke: at least one unit of work, and more until a budget is used up. A unit is a
  * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.4 ms. With
@@ -457,8 +490,7 @@ KERF_API kerf_result kerf_stroke_step(kerf_world* world, size_t max_faces, doubl
  * Errors: KERF_INVALID_ARGUMENT if there is no stroke. Cost: proportional to what the stroke changed. */
 KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 
-/* Undo
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Undo -- */
 
 /* Undo the last step of the history, or redo the step undone last: a stroke, an added body, an edit of a
  * piece, or the simulation since the last other step. The world is restored to the bit.
@@ -468,12 +500,10 @@ KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 KERF_API kerf_result kerf_world_undo(kerf_world* world, int* done);
 KERF_API kerf_result kerf_world_redo(kerf_world* world, int* done);
 
-/* Limits the memory for undo; the oldest steps are discarded first.
- * bytes: 256 MiB by default; 0: no step can be undone. */
+/* Limits the memory for undo, 256 MiB by default; the oldest steps are discarded first. 0: none. */
 KERF_API kerf_result kerf_world_set_undo_memory(kerf_world* world, size_t bytes);
 
-/* Pieces and faces
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Pieces and faces -- */
 
 /* Returns the pieces of all bodies as meshes in world coordinates, largest area first.
  * options: may be null.
@@ -512,8 +542,7 @@ KERF_API kerf_result kerf_body_get_faces(const kerf_world* world, kerf_body body
                                          size_t n, double* corners, uint32_t* pieces, uint16_t* materials,
                                          uint8_t* is_cut);
 
-/* Changes
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Changes -- */
 
 /* Flags of kerf_body_changes. */
 #define KERF_BODY_CREATED 1u    /* new; all faces are listed as added */
@@ -578,8 +607,7 @@ typedef struct kerf_changes {
  * About 60 ns per changed face, whatever the size of the world, plus the pieces of changed bodies. */
 KERF_API kerf_result kerf_world_take_changes(kerf_world* world, kerf_changes* out);
 
-/* Hits
- * ------------------------------------------------------------------------------------------------------ */
+/* -- Hits -- */
 
 /* Points of visible surfaces: `count` entries in each array, of 3 numbers for vectors. Free them with
  * kerf_hits_free. */
@@ -628,6 +656,17 @@ KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const do
                                                double max_distance, const kerf_call_options* options,
                                                kerf_hits* out);
 
+/* Finds the faces that a box meets, also by touching it. Each has the point nearest to the centre of the box,
+ * and the distance from it. Sorted by body, then by face.
+ * min, max: corners in the world (m), -1e150 <= min <= max <= 1e150.
+ * options: may be null.
+ * out: its size is set; receives an entry per face.
+ * Errors: KERF_INVALID_ARGUMENT for a number that violates the above. About 0.5 us per face within the
+ * circumscribed sphere. */
+KERF_API kerf_result kerf_world_faces_in_box(const kerf_world* world, const double min[3],
+                                             const double max[3], const kerf_call_options* options,
+                                             kerf_hits* out);
+
 /* Frees hits and resets all members but the size. No-op if `hits` is null or was never filled. */
 KERF_API void kerf_hits_free(kerf_hits* hits);
 
@@ -650,21 +689,18 @@ KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char
 /* Returns a report of all cuts as JSON, with the keys of report.json of `kerf cut`; "file" is the name of
  * the piece.
  * options: may be null.
- * out: receives the text; free it with kerf_text_free.
- * O(n log n). */
+ * out: receives the text; free it with kerf_text_free. O(n log n). */
 KERF_API kerf_result kerf_world_report(const kerf_world* world, const kerf_call_options* options, char** out);
 
 /* Returns the hash of the state, equal to that of `kerf cut` for the same meshes and strokes.
- * out: receives 16 hexadecimal digits and a terminating zero.
- * O(n). */
+ * out: receives 16 hexadecimal digits and a terminating zero. O(n). */
 KERF_API kerf_result kerf_world_hash(const kerf_world* world, char out[17]);
 
 /* Returns the component graph of the faces as JSON, as written by `kerf inspect --graph`.
- * out: receives the text; free it with kerf_text_free.
- * O(n). */
+ * out: receives the text; free it with kerf_text_free. O(n). */
 KERF_API kerf_result kerf_world_graph(const kerf_world* world, char** out);
 
-/* Frees a text. No-op if `text` is null. */
+/* Frees a text or bytes. No-op if `text` is null. */
 KERF_API void kerf_text_free(char* text);
 
 #ifdef __cplusplus

@@ -206,6 +206,12 @@ void begin_job(kerf_world& world, const Command& first) {
   world.job.thermal |= std::get<BeginStroke>(first).settings.model == Model::kThermal;
 }
 
+ThermalTotals::ThermalTotals(const kerf_world& world)
+    : emitted_(world.document.world().energy().emitted),
+      absorbed_(world.document.world().energy().absorbed),
+      met_s_(world.job.statistics.met_s),
+      depth_s_(world.job.statistics.depth_s) {}
+
 namespace {
 
 Status cut_one(kerf_world& world, std::span<const Command> stroke, const Progress& progress) {
@@ -296,11 +302,16 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
   const auto commands = stroke_commands_of(world, strokes, count, *settings);
   if (!commands) return commands.error();
   const CutJob before = world.job;
+  const ThermalTotals thermal(world);
   const nlohmann::ordered_json settings_before = world.settings;
   const Status done = cut_all(world, *commands, settings->material, progress);
-  if (done)
-    return kerf_cut_result{0, world.job.removed_faces - before.removed_faces,
-                           world.job.removed_area - before.removed_area, 0};
+  if (done) {
+    kerf_cut_result result = KERF_CUT_RESULT_INIT;
+    result.removed_faces = world.job.removed_faces - before.removed_faces;
+    result.removed_area = world.job.removed_area - before.removed_area;
+    thermal.set(world, result);
+    return result;
+  }
   world.job = before;
   world.settings = settings_before;
   return done.error();
@@ -319,7 +330,7 @@ kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t
     if (result != nullptr) {
       if (const kerf::Status valid = kerf::check_size(*result, "result"); !valid) return valid;
     }
-    kerf::Result<kerf_cut_result> done = kerf::cut(*world, strokes, stroke_count, settings, progress);
+    auto done = kerf::cut(*world, strokes, stroke_count, settings, progress);
     if (!done) return done.error();
     done->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (result != nullptr) kerf::write_struct(*done, *result);

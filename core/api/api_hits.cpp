@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <memory>
 
@@ -227,6 +229,61 @@ Status find_all(const World& world, const Rays& rays, const Progress& progress, 
   return Done{};
 }
 
+// A box in the world.
+struct QueryBox {
+  Vec3 centre, half;
+
+  // Returns true if the box meets or touches a triangle, by the 13 axes that can separate them (T.
+  // Akenine-Moeller: Fast 3D triangle-box overlap testing, 2001).
+  bool meets(const Triangle& world) const;
+};
+
+bool QueryBox::meets(const Triangle& world) const {
+  const Triangle t{world[0] - centre, world[1] - centre, world[2] - centre};
+  const auto separates = [&](const Vec3& axis) {
+    const double reach = glm::dot(half, glm::abs(axis));
+    const auto [low, high] = std::minmax({glm::dot(axis, t[0]), glm::dot(axis, t[1]), glm::dot(axis, t[2])});
+    return low > reach || high < -reach;
+  };
+  if (separates(glm::cross(t[1] - t[0], t[2] - t[0]))) return false;
+  for (int k = 0; k < 3; ++k) {
+    Vec3 axis(0);
+    axis[k] = 1;
+    if (separates(axis)) return false;
+    for (size_t i = 0; i < 3; ++i) {
+      if (separates(glm::cross(axis, t[(i + 1) % 3] - t[i]))) return false;
+    }
+  }
+  return true;
+}
+
+Result<QueryBox> query_box(const double min[3], const double max[3]) {
+  constexpr double kMax = 1e150;  // m, as of meshes
+  if (min == nullptr || max == nullptr) return bad_input("min and max: must not be null");
+  for (int k = 0; k < 3; ++k) {
+    if (!(std::abs(min[k]) <= kMax && std::abs(max[k]) <= kMax && min[k] <= max[k]))
+      return bad_input("min and max: must be corners in metres, -1e150 <= min <= max <= 1e150");
+  }
+  const Vec3 low = vector(min, 0), high = vector(max, 0);
+  return QueryBox{0.5 * (low + high), 0.5 * (high - low)};
+}
+
+void append_in_box(const World& world, BodyId id, const QueryBox& box, std::vector<Hit>& out) {
+  constexpr double kRounding = 1e-12;  // of the distances, relative to the coordinates
+  const Body& body = world.body(id);
+  const Vec3 centre = body.placement.to_body(box.centre);
+  const double radius = glm::length(box.half);
+  std::vector<PointOnFace> near;
+  body.tree.points_within(body.mesh, centre, radius + kRounding * (radius + glm::length(box.centre)), near);
+  std::sort(near.begin(), near.end(),
+            [](const PointOnFace& a, const PointOnFace& b) { return a.face < b.face; });
+  for (const PointOnFace& point : near) {
+    Triangle t = body.mesh.triangle(point.face);
+    for (Vec3& corner : t) corner = body.placement.to_world(corner);
+    if (box.meets(t)) out.push_back({std::sqrt(point.distance2), id, point.face, point.point});
+  }
+}
+
 }  // namespace
 
 Vec3 unit_normal(const Triangle& t) {
@@ -276,6 +333,20 @@ kerf_result kerf_world_closest_points(const kerf_world* world, const double* poi
         return kerf::find_one_each(in, n, progress, arrays, [&](size_t i) {
           return kerf::closest(in, ids, kerf::vector(points, i), max_distance);
         });
+      });
+}
+
+kerf_result kerf_world_faces_in_box(const kerf_world* world, const double min[3], const double max[3],
+                                    const kerf_call_options* options, kerf_hits* out) {
+  return kerf::query(
+      world, options, out,
+      [&](const kerf::World& in, const kerf::Progress&, kerf::HitArrays& arrays) -> kerf::Status {
+        const auto box = kerf::query_box(min, max);
+        if (!box) return box.error();
+        std::vector<kerf::Hit> hits;
+        for (const kerf::BodyId id : kerf::cuttable(in)) kerf::append_in_box(in, id, *box, hits);
+        arrays.fill(in, hits);
+        return kerf::Done{};
       });
 }
 

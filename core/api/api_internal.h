@@ -23,6 +23,7 @@
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "core/kerf_c.h"
+#include "core/mesh/files/encode.h"
 #include "core/mesh/files/soup.h"
 
 namespace kerf {
@@ -72,6 +73,9 @@ class Call {
 // Stores the message of an error for this thread and returns its code.
 kerf_result set_error(kerf_result result, const char* message) noexcept;
 
+// Copies a text, with a terminating zero, for kerf_text_free.
+char* copy_of(const std::string& text);
+
 // Returns the last message stored in this thread.
 const char* last_message();
 
@@ -87,6 +91,7 @@ struct kerf_mesh {
   kerf::CornerLooks looks;  // of the triangles
   std::vector<std::string> attribute_names;
   std::shared_ptr<const kerf::SurfaceLibrary> surfaces;  // describes the materials; null: none
+  std::vector<std::string> warnings;                     // of reading
   std::vector<double> temperatures;  // K, one per triangle of a piece; empty for any other mesh
   std::string name;
   kerf_mesh_info info{};  // except for its name
@@ -99,6 +104,12 @@ void measure(kerf_mesh& mesh);
 
 // Sets the looks of a mesh and the names of its attributes.
 void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const SurfaceLibrary> surfaces);
+
+// Converts the usable triangles of a file, over its welded positions. `name`: begins messages.
+Result<std::unique_ptr<kerf_mesh>> mesh_of_soup(Soup soup, const std::string& name);
+
+// Returns the mesh as it is written; the view refers to it.
+MeshView view_of(const kerf_mesh& mesh);
 
 // Returns the mesh in the form of a file's content.
 Soup soup_of(const kerf_mesh& mesh);
@@ -141,6 +152,24 @@ class WorldUsers {
 
 namespace kerf {
 
+// The energy and depth of the thermal cuts of a world at a moment.
+class ThermalTotals {
+ public:
+  explicit ThermalTotals(const kerf_world& world);
+
+  // Sets `emitted`, `absorbed` and `depth` to the values of the cuts since then.
+  template <typename T>
+  void set(const kerf_world& world, T& to) const {
+    const ThermalTotals now(world);
+    to.emitted = now.emitted_ - emitted_;
+    to.absorbed = now.absorbed_ - absorbed_;
+    to.depth = now.met_s_ > met_s_ ? (now.depth_s_ - depth_s_) / (now.met_s_ - met_s_) : 0;
+  }
+
+ private:
+  double emitted_, absorbed_, met_s_, depth_s_;
+};
+
 // A stroke that is cut in steps.
 struct RunningStroke {
   StrokePath last;    // its last key
@@ -148,6 +177,7 @@ struct RunningStroke {
   CutJob before;      // the job of the world before the stroke
   nlohmann::ordered_json settings_before;
   size_t position, window;  // of the history before the stroke
+  ThermalTotals thermal;    // before the stroke
   bool ended = false;
 };
 

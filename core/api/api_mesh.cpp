@@ -18,8 +18,6 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMaxElements = size_t{1} << 31;
-
 // Keeps the values of these triangles, ascending.
 template <typename T>
 void keep_triangles(LookChannel<T>& channel, const std::vector<size_t>& kept) {
@@ -48,15 +46,19 @@ bool use_attribute(const CornerLooks& looks, size_t attribute, const Use& use) {
   return true;
 }
 
-// Converts the usable triangles of a file, over its welded positions.
 Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   WeldedTriangles welded(soup.positions);
   std::vector<size_t> kept;
+  Repairs dropped;
+  dropped.invalid_faces_dropped = soup.invalid_faces_dropped;
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
     const std::array<uint32_t, 3>& corners = soup.triangles[t];
-    const bool usable =
+    const bool finite =
         std::all_of(corners.begin(), corners.end(), [&](uint32_t v) { return is_finite(soup.positions[v]); });
-    if (!usable || !welded.add(corners)) continue;
+    if (!finite || !welded.add(corners)) {
+      ++(finite ? dropped.degenerate_faces_dropped : dropped.non_finite_faces_dropped);
+      continue;
+    }
     kept.push_back(t);
     if (!soup.material_names.empty())
       mesh.materials.push_back(soup.materials.empty() ? uint16_t{0} : soup.materials[t]);
@@ -64,6 +66,8 @@ Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   if (welded.triangles.empty()) return bad_input(name + ": the file has no usable face.");
   for (size_t p = 0; p < welded.sources.size() && !soup.colours.empty(); ++p)
     mesh.colours.push_back(soup.colours[welded.sources[p]]);
+  mesh.warnings = dropped_notes(dropped);
+  mesh.warnings.insert(mesh.warnings.end(), soup.warnings.begin(), soup.warnings.end());
   mesh.positions = std::move(welded.positions);
   mesh.triangles = std::move(welded.triangles);
   mesh.material_names = std::move(soup.material_names);
@@ -73,34 +77,6 @@ Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   keep_triangles(looks.tangents, kept);
   for (auto& attribute : looks.attributes) keep_triangles(attribute.channel, kept);
   set_looks(mesh, std::move(looks), std::move(soup.surfaces));
-  return Done{};
-}
-
-Status create_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
-                   kerf_mesh& mesh) {
-  if (vertices == nullptr || vertex_count == 0) return bad_input("vertices: must not be empty");
-  if (faces == nullptr || face_count == 0) return bad_input("faces: must not be empty");
-  if (vertex_count > kMaxElements || face_count > kMaxElements)
-    return bad_input("vertices and faces: must be at most 2147483648 each");
-  mesh.positions.resize(vertex_count);
-  for (size_t v = 0; v < vertex_count; ++v) {
-    for (int k = 0; k < 3; ++k) {
-      const double x = vertices[3 * v + static_cast<size_t>(k)];
-      if (!std::isfinite(x)) return bad_input("vertices[" + std::to_string(v) + "] is not finite");
-      mesh.positions[v][k] = x;
-    }
-  }
-  mesh.triangles.resize(face_count);
-  for (size_t f = 0; f < face_count; ++f) {
-    for (size_t i = 0; i < 3; ++i) {
-      const uint32_t v = faces[3 * f + i];
-      if (v >= vertex_count) {
-        return bad_input("faces[" + std::to_string(f) + "] references vertex " + std::to_string(v) +
-                         ", but the number of vertices is " + std::to_string(vertex_count));
-      }
-      mesh.triangles[f][i] = v;
-    }
-  }
   return Done{};
 }
 
@@ -136,6 +112,13 @@ int64_t euler_number(const kerf_mesh& mesh) {
 
 }  // namespace
 
+Result<std::unique_ptr<kerf_mesh>> mesh_of_soup(Soup soup, const std::string& name) {
+  auto mesh = std::make_unique<kerf_mesh>();
+  if (const auto converted = convert_soup(std::move(soup), name, *mesh); !converted) return converted.error();
+  measure(*mesh);
+  return mesh;
+}
+
 void measure(kerf_mesh& mesh) {
   Vec3 sum(0);
   double area = 0;
@@ -159,6 +142,14 @@ void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const Surface
   if (mesh.looks.tangents.any()) mesh.attribute_names.emplace_back("TANGENT");
   for (const LookAttribute& attribute : mesh.looks.attributes)
     mesh.attribute_names.push_back("_" + attribute.name);
+}
+
+MeshView view_of(const kerf_mesh& mesh) {
+  MeshView view{mesh.positions, mesh.triangles, mesh.materials, mesh.material_names, {},
+                mesh.name,      mesh.colours};
+  if (mesh.looks.any()) view.looks = &mesh.looks;
+  view.surfaces = mesh.surfaces.get();
+  return view;
 }
 
 Soup soup_of(const kerf_mesh& mesh) {
@@ -186,23 +177,9 @@ kerf_result kerf_mesh_read(const char* path, const kerf_call_options* options, k
   return kerf::Call(options).run([&](const kerf::Progress& progress) -> kerf::Status {
     auto soup = kerf::read_mesh(path, &progress);
     if (!soup) return soup.error();
-    auto mesh = std::make_unique<kerf_mesh>();
-    if (const auto taken = kerf::convert_soup(std::move(*soup), path, *mesh); !taken) return taken;
-    kerf::measure(*mesh);
-    *out = mesh.release();
-    return kerf::Done{};
-  });
-}
-
-kerf_result kerf_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
-                             size_t face_count, kerf_mesh** out) {
-  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
-  return kerf::Call(nullptr).run([&](const kerf::Progress&) -> kerf::Status {
-    auto mesh = std::make_unique<kerf_mesh>();
-    const kerf::Status made = kerf::create_mesh(vertices, vertex_count, faces, face_count, *mesh);
-    if (!made) return made;
-    kerf::measure(*mesh);
-    *out = mesh.release();
+    auto mesh = kerf::mesh_of_soup(std::move(*soup), path);
+    if (!mesh) return mesh.error();
+    *out = mesh->release();
     return kerf::Done{};
   });
 }
@@ -216,11 +193,7 @@ kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path) {
     const std::filesystem::path file = path;
     const auto format = kerf::mesh_format(file.extension().string());
     if (!format) return kerf::bad_input(std::string(path) + ": must end in " + kerf::list_mesh_endings());
-    kerf::MeshView view{mesh->positions, mesh->triangles, mesh->materials, mesh->material_names, {},
-                        mesh->name,      mesh->colours};
-    if (mesh->looks.any()) view.looks = &mesh->looks;
-    view.surfaces = mesh->surfaces.get();
-    return kerf::write_mesh(view, file, *format);
+    return kerf::write_mesh(kerf::view_of(*mesh), file, *format);
   });
 }
 

@@ -29,7 +29,8 @@ Status begin_stroke(kerf_world& world, const kerf_stroke* stroke, const kerf_cut
                         world.job,
                         world.settings,
                         world.document.history().position(),
-                        world.document.history().window()};
+                        world.document.history().window(),
+                        ThermalTotals(world)};
   running.begin_time = running.last.times.front();
   begin_job(world, commands.front());
   world.job.begin_stroke();
@@ -116,6 +117,7 @@ Status step_stroke(kerf_world& world, RunningStroke& stroke, size_t max_faces, d
   progress.is_finished = stroke.ended && progress.is_idle;
   progress.removed_faces = world.job.removed_faces - stroke.before.removed_faces;
   progress.removed_area = world.job.removed_area - stroke.before.removed_area;
+  stroke.thermal.set(world, progress);
   if (progress.is_finished) {
     world.job.end_stroke();
     world.keep_job();

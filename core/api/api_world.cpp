@@ -67,6 +67,12 @@ class DefaultArithmetic {
 
 }  // namespace
 
+char* copy_of(const std::string& text) {
+  auto copy = std::make_unique<char[]>(text.size() + 1);
+  std::memcpy(copy.get(), text.c_str(), text.size() + 1);
+  return copy.release();
+}
+
 kerf_result set_error(kerf_result result, const char* message) noexcept {
   try {
     stored_error() = {message, false};
@@ -186,13 +192,6 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   how.progress = &replaying;
   how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
   return Replay(file->journal, document).run(how);
-}
-
-// Copies a text for kerf_text_free.
-char* copy_of(const std::string& text) {
-  auto copy = std::make_unique<char[]>(text.size() + 1);
-  std::memcpy(copy.get(), text.c_str(), text.size() + 1);
-  return copy.release();
 }
 
 // Converts a piece for the report.

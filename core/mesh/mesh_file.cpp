@@ -100,8 +100,9 @@ Error not_a_mesh(const std::string& name, std::string_view kind) {
                    list_mesh_titles(" and ") + ".");
 }
 
-Result<Soup> parse(std::string_view bytes, const std::string& name, const std::filesystem::path& path,
-                   const Progress* progress) {
+// `ending`: of the name; `folder`: of the file, empty for bytes that may refer to no other file.
+Result<Soup> parse(std::string_view bytes, const std::string& name, const std::string& ending,
+                   const std::filesystem::path& folder, const Progress* progress) {
   if (is_soup_file(bytes)) return read_soup(bytes, name);
   const std::optional<MeshFormat> by_content = recognise_format(bytes, {});
   if (!by_content) {
@@ -111,9 +112,8 @@ Result<Soup> parse(std::string_view bytes, const std::string& name, const std::f
     const std::string_view kind = kind_of_file(bytes);
     if (!kind.empty()) return not_a_mesh(name, kind);
   }
-  const std::optional<MeshFormat> format = by_content ? by_content : mesh_format(path.extension().string());
+  const std::optional<MeshFormat> format = by_content ? by_content : mesh_format(ending);
   if (!format) return not_a_mesh(name, {});
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   switch (*format) {
     case MeshFormat::kObj:
       return read_obj(bytes, name, progress, folder);
@@ -137,7 +137,8 @@ Result<Soup> load_and_parse(const std::filesystem::path& path, const std::string
   const Result<FileBytes> bytes = read_bytes(path, name, progress);
   if (!bytes) return bytes.error();
   const Progress parsing = share_of(progress, kLoadingShare, 1);
-  return parse(bytes->view(), name, path, &parsing);
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  return parse(bytes->view(), name, path.extension().string(), folder, &parsing);
 }
 
 }  // namespace
@@ -149,6 +150,12 @@ Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progre
   } catch (const std::bad_alloc&) {
     return failed(name + ": not enough memory to read it.");
   }
+}
+
+Result<Soup> decode_mesh(std::string_view bytes, const std::string& name, const std::string& format,
+                         const Progress* progress) {
+  if (bytes.empty()) return bad_input(name + ": must not be empty");
+  return parse(bytes, name, format, {}, progress);
 }
 
 namespace {
@@ -309,6 +316,12 @@ Status write_encoded(const std::filesystem::path& path, const std::string& reaso
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format) {
   return write_encoded(path, obstacle(mesh, format),
                        [&](const ByteSink& sink) { encode(mesh, format, sink); });
+}
+
+Result<std::string> encode_mesh(const MeshView& mesh, MeshFormat format) {
+  if (const std::string reason = obstacle(mesh, format); !reason.empty())
+    return failed(reason + "; select another format");
+  return encoded(mesh, format);
 }
 
 Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -20,6 +21,11 @@ namespace kerf {
 // byte; fails with cancelled() when stopped. `progress` may be null. Files may be read concurrently. Holds
 // the whole file in memory in addition to the result. Linear in its size.
 Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress = nullptr);
+
+// Likewise for the bytes of a file, which may refer to no other files. `name`: begins the messages; `format`:
+// a hint, the extension of a file name or empty. Throws std::bad_alloc.
+Result<Soup> decode_mesh(std::string_view bytes, const std::string& name, const std::string& format,
+                         const Progress* progress);
 
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
 // cancelled() names the file. `progress` may be null.
@@ -43,7 +49,10 @@ std::vector<std::string> dropped_notes(const Repairs& repairs);
 // cannot represent the mesh, e.g. coordinates beyond the range of float in STL. Holds all bytes in memory
 // before writing. Linear time.
 Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshFormat format);
-// Likewise several meshes, as nodes of glTF or objects of 3MF. Precondition: holds_several_meshes(format).
+// Returns the bytes that write_mesh writes, or an error for a mesh that the format cannot represent. Throws
+// std::bad_alloc.
+Result<std::string> encode_mesh(const MeshView& mesh, MeshFormat format);
+// Writes several meshes like write_mesh, as nodes of glTF or objects of 3MF. Precondition: holds_several_meshes(format).
 Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format);
 
 // The loss of precision when a mesh is written in a single-precision format.

@@ -386,7 +386,9 @@ TEST(Api, a_smaller_struct_gets_the_defaults_and_a_larger_one_is_an_error) {
   EXPECT_EQ(cut(sizeof stroke + 8), KERF_INVALID_ARGUMENT);
   EXPECT_EQ(cut(0), KERF_INVALID_ARGUMENT);
   EXPECT_EQ(cut(offsetof(kerf_stroke, duty)), KERF_OK);
-  kerf_cut_result result{offsetof(kerf_cut_result, removed_area), 7, 7, 7};
+  kerf_cut_result result = KERF_CUT_RESULT_INIT;
+  result.size = offsetof(kerf_cut_result, removed_area);
+  result.removed_area = result.seconds = 7;
   EXPECT_EQ(kerf_world_cut(world.get(), nullptr, 0, nullptr, nullptr, &result), KERF_OK);
   EXPECT_EQ(result.removed_faces, 0u);
   EXPECT_EQ(result.seconds, 7);

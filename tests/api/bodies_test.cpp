@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "core/kerf.h"
@@ -173,18 +174,59 @@ TEST(Bodies, a_journal_contains_what_was_not_undone) {
     EXPECT_EQ(again.pieces()[i].info().mass, world.pieces()[i].info().mass);
 }
 
+TEST(Bodies, a_thermal_cut_reports_its_energy_and_depth) {
+  Stroke stroke = through_the_middle();
+  stroke.keys[1].time = 2;
+  const CutSettings thermal{.model = KERF_MODEL_THERMAL};
+  World whole, steps;
+  whole.add(sheet(5));
+  steps.add(sheet(5));
+  EXPECT_EQ(whole.cut(through_the_middle()).emitted, 0);
+  whole.undo();
+  const CutResult cut = whole.cut(stroke, thermal);
+  EXPECT_NEAR(cut.emitted, 2 * stroke.power, 1e-6 * cut.emitted);
+  EXPECT_GT(cut.absorbed, 0);
+  EXPECT_LT(cut.absorbed, cut.emitted);
+  EXPECT_GT(cut.depth, 0);
+  EXPECT_LE(cut.depth, 1);
+  steps.begin_stroke(stroke, thermal);
+  steps.end_stroke();
+  StrokeProgress progress = KERF_STROKE_PROGRESS_INIT;
+  while (progress.is_finished == 0) progress = steps.step_stroke(1, 1);
+  EXPECT_EQ(progress.emitted, cut.emitted);
+  EXPECT_EQ(progress.absorbed, cut.absorbed);
+  EXPECT_EQ(progress.depth, cut.depth);
+  EXPECT_NE(whole.report().find("\"depth_fraction\": "), std::string::npos);
+}
+
+TEST(Bodies, keep_pose_and_faces_in_a_saved_scene) {
+  const std::vector<double> tiny{0, 0, 0, 1e-20, 0, 0, 0, 0, 1e-20};
+  World world;
+  BodyDesc desc;
+  desc.position = {3, 1, 2};
+  desc.orientation = {0.6, 0, 0.8, 0};
+  world.add(Mesh(tiny, std::vector<uint32_t>{0, 1, 2}), desc);
+  const std::string folder = testing::TempDir() + "kerf-pose";
+  world.save_scene(folder);
+  const World again(folder + "/scene.json");
+  EXPECT_EQ(again.hash(), world.hash());
+  EXPECT_EQ(again.info(again.bodies()[0]).position[0], 3);
+}
+
 TEST(Bodies, many_are_added_and_undone) {
   World world;
   const std::string empty = world.hash();
   const Mesh mesh = sheet(2);
-  for (int i = 0; i < 200; ++i) world.add(mesh);
-  EXPECT_EQ(world.bodies().size(), 200u);
+  const char* given = std::getenv("KERF_TEST_BODIES");  // of counted_bodies_test.py
+  const size_t count = given == nullptr ? 200 : std::stoul(given);
+  for (size_t i = 0; i < count; ++i) world.add(mesh);
+  EXPECT_EQ(world.bodies().size(), count);
   while (world.undo()) {
   }
   EXPECT_EQ(world.hash(), empty);
   while (world.redo()) {
   }
-  EXPECT_EQ(world.bodies().size(), 200u);
+  EXPECT_EQ(world.bodies().size(), count);
 }
 
 }  // namespace

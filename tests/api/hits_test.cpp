@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -68,6 +69,73 @@ TEST(Hits, closest_points_are_those_of_the_plane) {
   EXPECT_EQ(hits.faces[3], KERF_NO_FACE);
   EXPECT_THROW((void)world.closest_points(points, -1), InvalidArgument);
   EXPECT_THROW((void)world.closest_points(std::vector<double>{0, NAN, 0}), InvalidArgument);
+}
+
+using Point = std::array<double, 3>;
+using Corners = std::array<Point, 3>;
+
+// Returns true if the part of a triangle within all six planes of a box has a point (I. Sutherland, G.
+// Hodgman: Reentrant polygon clipping, 1974).
+bool clips(const Corners& triangle, const Point& min, const Point& max) {
+  std::vector<Point> polygon(triangle.begin(), triangle.end());
+  for (size_t k = 0; k < 3; ++k) {
+    for (const double sign : {1.0, -1.0}) {
+      const auto depth = [&](const Point& p) { return sign > 0 ? p[k] - min[k] : max[k] - p[k]; };
+      std::vector<Point> kept;
+      for (size_t i = 0; i < polygon.size(); ++i) {
+        const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        if (depth(a) >= 0) kept.push_back(a);
+        if ((depth(a) < 0) == (depth(b) < 0)) continue;
+        const double share = depth(a) / (depth(a) - depth(b));
+        Point& p = kept.emplace_back();
+        for (size_t c = 0; c < 3; ++c) p[c] = a[c] + share * (b[c] - a[c]);
+        p[k] = sign > 0 ? min[k] : max[k];
+      }
+      polygon = std::move(kept);
+    }
+  }
+  return !polygon.empty();
+}
+
+TEST(Hits, faces_in_a_box_are_those_that_clipping_leaves) {
+  World world;
+  BodyDesc desc;
+  desc.position = {0.1, 0.2, 0.3};
+  desc.orientation = {0.5, 0.5, 0.5, 0.5};
+  const std::array bodies{world.add(box(4)), world.add(box(7), desc)};
+  const auto corners_in_world = [&](size_t which, uint32_t face) {
+    const std::vector<double> own = world.corners(bodies[which], {&face, 1});
+    Corners corners;
+    for (size_t i = 0; i < 3; ++i) {
+      const double *p = &own[3 * i], turned[] = {p[2], p[0], p[1]};  // about (1, 1, 1) by 120 degrees
+      for (size_t k = 0; k < 3; ++k) corners[i][k] = which == 0 ? p[k] : turned[k] + desc.position[k];
+    }
+    return corners;
+  };
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.2, 1.4);
+  size_t found = 0;
+  for (int i = 0; i < 100; ++i) {
+    Point min{unit(random), unit(random), unit(random)}, max{unit(random), unit(random), unit(random)};
+    for (size_t k = 0; k < 3; ++k) {
+      if (min[k] > max[k]) std::swap(min[k], max[k]);
+      if (i % 3 > 0) max[k] = min[k] + 0.1 * (max[k] - min[k]);
+    }
+    std::vector<std::pair<BodyId, uint32_t>> wanted, hit;
+    for (size_t which = 0; which < 2; ++which) {
+      for (const uint32_t face : world.faces(bodies[which])) {
+        if (clips(corners_in_world(which, face), min, max)) wanted.emplace_back(bodies[which], face);
+      }
+    }
+    const Hits hits = world.faces_in_box(min, max);
+    for (size_t k = 0; k < hits.faces.size(); ++k) hit.emplace_back(hits.bodies[k], hits.faces[k]);
+    ASSERT_EQ(hit, wanted) << "box " << i;
+    found += check_hits(hits);
+  }
+  EXPECT_GT(found, 1000u);
+  EXPECT_EQ(world.faces_in_box({0, 0, 0}, {0, 0, 0}).faces.size(), 3u);  // of a corner, touched
+  EXPECT_THROW((void)world.faces_in_box({0, 1, 0}, {1, 0, 1}), InvalidArgument);
+  EXPECT_THROW((void)world.faces_in_box({0, 0, NAN}, {1, 1, 1}), InvalidArgument);
 }
 
 }  // namespace

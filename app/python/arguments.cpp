@@ -17,14 +17,6 @@ void throw_if_raised() {
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
 }
 
-std::array<double, 3> vector_of(const py::handle& object, const std::string& name) {
-  const auto array = Doubles::ensure(object);
-  if (!array) PyErr_Clear();
-  if (!array || array.ndim() != 1 || array.size() != 3)
-    throw py::value_error(name + " must be three numbers");
-  return {array.data()[0], array.data()[1], array.data()[2]};
-}
-
 // Returns a sequence of exactly `members` members, or an empty object.
 py::sequence sequence_of(const py::handle& object, size_t members) {
   const bool is_one = py::isinstance<py::sequence>(object) && !py::isinstance<py::str>(object);
@@ -71,6 +63,24 @@ int int_argument(const py::handle& object, const char* name) {
   const long number = PyLong_AsLongAndOverflow(index.ptr(), &overflow);
   if (overflow != 0) return overflow < 0 ? INT_MIN : INT_MAX;
   return static_cast<int>(std::clamp<long>(number, INT_MIN, INT_MAX));
+}
+
+uint64_t index_argument(const py::handle& object, const char* name) {
+  const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
+  if (!index) {
+    PyErr_Clear();
+    throw py::type_error(std::string(name) + ": must be an int, not " + type_of(object));
+  }
+  const unsigned long long number = PyLong_AsUnsignedLongLong(index.ptr());
+  if (PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();
+  throw py::value_error(std::string(name) + ": must not be negative or beyond 64 bits");
+}
+
+uint32_t piece_argument(const py::handle& object) {
+  const uint64_t label = index_argument(object, "piece");
+  if (label < KERF_NO_PIECE) return static_cast<uint32_t>(label);
+  throw py::value_error("piece: " + std::to_string(label) + " does not exist");
 }
 
 std::vector<double> triples_argument(const py::handle& object, const char* name) {
@@ -121,6 +131,21 @@ std::array<double, 2> range_argument(const py::handle& object) {
   return {number_argument(ends[0], "range"), number_argument(ends[1], "range")};
 }
 
+Keyframe key_argument(const py::handle& time, const py::handle& origin, const py::handle& direction,
+                      const std::string& where) {
+  Keyframe key{};
+  key.time = PyFloat_AsDouble(time.ptr());
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::value_error(where + ": the time must be a number");
+  }
+  const auto from = vector_argument(origin, where + ": the origin");
+  const auto along = vector_argument(direction, where + ": the direction");
+  std::copy(from.begin(), from.end(), key.origin);
+  std::copy(along.begin(), along.end(), key.direction);
+  return key;
+}
+
 std::vector<Keyframe> keys_argument(const py::handle& object) {
   if (!py::isinstance<py::iterable>(object))
     throw py::type_error("keys: must be a sequence of (time, origin, direction), not " + type_of(object));
@@ -129,17 +154,7 @@ std::vector<Keyframe> keys_argument(const py::handle& object) {
     const std::string where = "keys: number " + std::to_string(keys.size());
     const py::sequence parts = sequence_of(member, 3);
     if (!parts) throw py::value_error(where + " must be (time, origin, direction)");
-    Keyframe key{};
-    key.time = PyFloat_AsDouble(py::object(parts[0]).ptr());
-    if (PyErr_Occurred() != nullptr) {
-      PyErr_Clear();
-      throw py::value_error(where + ": the time must be a number");
-    }
-    const auto origin = vector_of(parts[1], where + ": the origin");
-    const auto direction = vector_of(parts[2], where + ": the direction");
-    std::copy(origin.begin(), origin.end(), key.origin);
-    std::copy(direction.begin(), direction.end(), key.direction);
-    keys.push_back(key);
+    keys.push_back(key_argument(parts[0], parts[1], parts[2], where));
   }
   return keys;
 }

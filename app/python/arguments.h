@@ -3,8 +3,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +39,38 @@ auto optional_argument(const py::handle& object, Read read, const Arguments&... 
 // and integers of shape (m, 3).
 std::vector<double> triples_argument(const py::handle& object, const char* name);
 std::vector<uint32_t> faces_argument(const py::handle& object);
+// Returns exactly kCount numbers of shape (kCount,), or a vector.
+template <size_t kCount>
+std::array<double, kCount> numbers_argument(const py::handle& object, const std::string& name) {
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(object);
+  if (!array) PyErr_Clear();
+  if (!array || array.ndim() != 1 || array.size() != kCount)
+    throw py::value_error(name + (kCount == 3 ? ": must be three numbers" : ": must be four numbers"));
+  std::array<double, kCount> numbers;
+  std::copy_n(array.data(), kCount, numbers.begin());
+  return numbers;
+}
+inline std::array<double, 3> vector_argument(const py::handle& object, const std::string& name) {
+  return numbers_argument<3>(object, name);
+}
+// Return a number of an index, or ids or indices of shape (n,), at least 0.
+uint64_t index_argument(const py::handle& object, const char* name);
+template <typename Index>
+std::vector<Index> indices_argument(const py::handle& object, const char* name) {
+  if (!py::isinstance<py::iterable>(object) || py::isinstance<py::str>(object))
+    throw py::type_error(std::string(name) + ": must be a sequence of ints");
+  std::vector<Index> indices;
+  for (const py::handle member : object) {
+    const uint64_t index = index_argument(member, name);
+    if (index > std::numeric_limits<Index>::max())
+      throw py::value_error(std::string(name) + ": " + std::to_string(index) + " does not exist");
+    indices.push_back(static_cast<Index>(index));
+  }
+  return indices;
+}
+inline BodyId body_argument(const py::handle& object) { return index_argument(object, "body"); }
+// Returns the label of a piece.
+uint32_t piece_argument(const py::handle& object);
 // Returns a pair (min, max).
 std::array<double, 2> range_argument(const py::handle& object);
 
@@ -44,6 +78,9 @@ std::array<double, 2> range_argument(const py::handle& object);
 // triangles.
 Mesh mesh_argument(const py::handle& object, const char* name);
 
+// Returns a pose of a beam. `where`: begins the message of an error.
+Keyframe key_argument(const py::handle& time, const py::handle& origin, const py::handle& direction,
+                      const std::string& where);
 // Returns a sequence of (time, origin, direction).
 std::vector<Keyframe> keys_argument(const py::handle& object);
 // Returns the strokes of a Stroke, or of an iterable of them.

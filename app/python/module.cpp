@@ -5,9 +5,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "app/python/arguments.h"
+#include "app/python/results.h"
 #include "core/kerf.h"
 
 namespace py = pybind11;
@@ -15,43 +15,6 @@ namespace py = pybind11;
 namespace {
 
 using namespace kerf::python;
-
-// Thrown for a path without a file.
-struct MissingFile {
-  std::string path;
-};
-
-// Runs work on a file with the GIL released. Throws MissingFile if the work fails because
-// `needed`, the file or the folder to write in, does not exist.
-template <typename Work>
-auto on_file(const std::string& path, const std::filesystem::path& needed, Work work) {
-  const py::gil_scoped_release unlocked;
-  try {
-    return work();
-  } catch (const kerf::Cancelled&) {
-    throw;
-  } catch (const kerf::Error&) {
-    std::error_code error;
-    if (std::filesystem::status(needed, error).type() != std::filesystem::file_type::not_found) throw;
-    throw MissingFile{path};
-  }
-}
-
-// Returns the folder that contains a file.
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-  return path.has_parent_path() ? path.parent_path() : ".";
-}
-
-// Parses the JSON text that `make` returns; it runs with the GIL released.
-template <typename Make>
-py::object object_of(Make make) {
-  std::string text;
-  {
-    const py::gil_scoped_release unlocked;
-    text = make();
-  }
-  return py::module_::import("json").attr("loads")(text);
-}
 
 // Returns a read-only array of shape (n, 3) that refers to memory of a mesh and keeps it alive.
 template <typename T>
@@ -75,11 +38,6 @@ py::array_t<T> scalar_view(std::span<const T> numbers, const kerf::Mesh& mesh) {
   return array;
 }
 
-template <typename T>
-py::array_t<T> array_copy(const std::vector<T>& numbers) {
-  return py::array_t<T>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
-}
-
 double positive_argument(const py::object& object, const char* name, const char* unit) {
   const double number = number_argument(object, name);
   if (number > 0) return number;
@@ -99,13 +57,39 @@ void set_power(kerf::Stroke& stroke, const py::object& object) {
   stroke.power = power;
 }
 
+void set_wavelength(kerf::Stroke& stroke, const py::object& object) {
+  stroke.wavelength = object.is_none() ? 0 : positive_argument(object, "wavelength", "metres");
+}
+void set_focus(kerf::Stroke& stroke, const py::object& object) {
+  stroke.focus.reset();
+  if (!object.is_none()) stroke.focus = positive_argument(object, "focus", "metres");
+}
+void set_pulse_rate(kerf::Stroke& stroke, const py::object& object) {
+  stroke.pulse_rate = object.is_none() ? 0 : positive_argument(object, "pulse_rate", "hertz");
+}
+void set_duty(kerf::Stroke& stroke, const py::object& object) {
+  const double duty = number_argument(object, "duty");
+  if (!(duty > 0 && duty <= 1)) throw py::value_error("duty: must be greater than 0 and at most 1");
+  stroke.duty = duty;
+}
+void set_assist(kerf::Stroke& stroke, const py::object& object) {
+  stroke.assist = choice_argument<kerf_assist>(object, "assist",
+                                               {{"none", KERF_ASSIST_NONE}, {"oxygen", KERF_ASSIST_OXYGEN}});
+}
+
 kerf::Stroke make_stroke(const py::object& keys, const py::object& radius, const py::object& range,
-                         const py::object& power) {
+                         const py::object& power, const py::object& wavelength, const py::object& focus,
+                         const py::object& pulse_rate, const py::object& duty, const py::object& assist) {
   kerf::Stroke stroke;
   stroke.keys = keys_argument(keys);
   set_radius(stroke, radius);
   set_range(stroke, range);
   set_power(stroke, power);
+  set_wavelength(stroke, wavelength);
+  set_focus(stroke, focus);
+  set_pulse_rate(stroke, pulse_rate);
+  set_duty(stroke, duty);
+  set_assist(stroke, assist);
   return stroke;
 }
 
@@ -127,91 +111,29 @@ py::list keys_of(const kerf::Stroke& stroke) {
   return keys;
 }
 
+const char* assist_of(const kerf::Stroke& stroke) {
+  return stroke.assist == KERF_ASSIST_OXYGEN ? "oxygen" : "none";
+}
+
 py::tuple state_of(const kerf::Stroke& stroke) {
-  return py::make_tuple(keys_of(stroke), number_or_none(stroke.radius), range_of(stroke), stroke.power);
+  return py::make_tuple(keys_of(stroke), number_or_none(stroke.radius), range_of(stroke), stroke.power,
+                        number_or_none(stroke.wavelength), stroke.focus, number_or_none(stroke.pulse_rate),
+                        stroke.duty, assist_of(stroke));
 }
 
 // Returns an expression that creates the stroke.
 std::string text_of(const kerf::Stroke& stroke) {
   const py::tuple state = state_of(stroke);
   std::string text = "kerf.Stroke(" + py::repr(state[0]).cast<std::string>();
-  const char* const names[] = {"keys", "radius", "range", "power"};
-  const py::object defaults[] = {py::none(), py::none(), py::none(), py::float_(kerf::Stroke().power)};
+  const char* const names[] = {"keys",  "radius",     "range", "power", "wavelength",
+                               "focus", "pulse_rate", "duty",  "assist"};
+  const py::tuple defaults = state_of(kerf::Stroke());
   for (size_t i = 1; i < state.size(); ++i) {
     const py::object value = state[i];
     if (!value.equal(defaults[i]))
       text += ", " + std::string(names[i]) + "=" + py::repr(value).cast<std::string>();
   }
   return text + ")";
-}
-
-kerf::CutSettings settings_of(const py::object& target_edge, const py::object& tolerance,
-                              const py::object& max_level, const py::object& rim, const py::object& scheme,
-                              const py::object& model, const py::object& material) {
-  kerf::CutSettings settings;
-  settings.rim =
-      choice_argument<kerf_rim>(rim, "rim", {{"faces", KERF_RIM_FACES}, {"smooth", KERF_RIM_SMOOTH}});
-  settings.scheme = choice_argument<kerf_scheme>(
-      scheme, "scheme",
-      {{"longest-edge", KERF_SCHEME_LONGEST_EDGE}, {"one-to-four", KERF_SCHEME_ONE_TO_FOUR}});
-  settings.model = choice_argument<kerf_model>(
-      model, "model", {{"geometric", KERF_MODEL_GEOMETRIC}, {"thermal", KERF_MODEL_THERMAL}});
-  settings.target_edge = optional_argument(target_edge, number_argument, "target_edge");
-  settings.tolerance = optional_argument(tolerance, number_argument, "tolerance");
-  settings.max_level = optional_argument(max_level, int_argument, "max_level");
-  if (!material.is_none()) settings.material = text_argument(material, "material");
-  return settings;
-}
-
-py::dict cut(kerf::World& world, const py::object& strokes, const py::object& target_edge,
-             const py::object& tolerance, const py::object& max_level, const py::object& rim,
-             const py::object& scheme, const py::object& model, const py::object& material,
-             const py::object& progress, const py::object& threads) {
-  const std::vector<kerf::Stroke> list = strokes_argument(strokes);
-  const kerf::CutSettings settings =
-      settings_of(target_edge, tolerance, max_level, rim, scheme, model, material);
-  const kerf::CallOptions options =
-      options_argument(progress, static_cast<unsigned>(int_argument(threads, "threads")));
-  kerf::CutResult result = KERF_CUT_RESULT_INIT;
-  {
-    const py::gil_scoped_release unlocked;
-    result = world.cut(list, settings, options);
-  }
-  py::dict dict;
-  dict["removed_faces"] = result.removed_faces;
-  dict["removed_area"] = result.removed_area;
-  dict["seconds"] = result.seconds;
-  return dict;
-}
-
-// Crossings of rays as NumPy arrays.
-struct HitArrays {
-  py::array offsets, distance, body, face, piece;
-};
-
-HitArrays arrays_of(const kerf::Hits& hits) {
-  return {array_copy(hits.offsets), array_copy(hits.distances), array_copy(hits.bodies),
-          array_copy(hits.faces), array_copy(hits.pieces)};
-}
-
-template <typename Trace>
-HitArrays trace_rays(const py::object& origins, const py::object& directions, const py::object& range,
-                     Trace trace) {
-  const std::vector<double> from = triples_argument(origins, "origins"),
-                            along = triples_argument(directions, "directions");
-  std::array<double, 2> within{0, std::numeric_limits<double>::max()};
-  if (!range.is_none()) within = range_argument(range);
-  kerf::Hits hits;
-  {
-    const py::gil_scoped_release unlocked;
-    hits = trace(from, along, within);
-  }
-  return arrays_of(hits);
-}
-
-template <size_t kCount>
-py::array_t<double> numbers(const double (&values)[kCount]) {
-  return py::array_t<double>(static_cast<py::ssize_t>(kCount), values);
 }
 
 py::dict attributes_of(const kerf::Mesh& mesh) {
@@ -284,6 +206,41 @@ void add_mesh(py::module_& m) {
           },
           "Placement of the body: (position in metres, unit quaternion w, x, y, z). The vertices are in "
           "world coordinates.")
+      .def_property_readonly(
+          "volume", [](const kerf::Mesh& mesh) { return mesh.info().volume; },
+          "Volume of a closed piece, m^3; 0 for an open one and any other mesh.")
+      .def_property_readonly(
+          "is_closed", [](const kerf::Mesh& mesh) { return mesh.info().is_closed != 0; },
+          "True for a piece of a world in which each edge has two faces.")
+      .def_property_readonly("euler_number", &kerf::Mesh::euler_number,
+                             "Vertices - edges + faces, over welded vertices if the mesh is a piece or was "
+                             "read from a file.")
+      .def_property_readonly("warnings", &kerf::Mesh::warnings,
+                             "Warnings of reading the mesh, such as dropped faces: a list of sentences.")
+      .def_static(
+          "decode",
+          [](const py::bytes& bytes, const py::object& format, const py::object& progress) {
+            const auto hint = optional_argument(format, text_argument, "format").value_or("");
+            const kerf::CallOptions options = options_argument(progress, 0);
+            const std::string_view view = bytes;
+            return unlocked([&] { return kerf::Mesh::decode({view.data(), view.size()}, hint, options); });
+          },
+          py::arg("bytes"), py::arg("format") = py::none(), py::kw_only(), py::arg("progress") = py::none(),
+          "Reads a mesh from the bytes of a file, without the files to which they refer.\n\n"
+          "format: \"obj\", \"ply\", \"stl\", \"off\", \"glb\", \"gltf\" or \"3mf\", used if the bytes do "
+          "not decide.\n"
+          "progress: as in World.cut.\n\n"
+          "Raises ValueError for bytes that cannot be parsed or have no usable face, or an unknown format, "
+          "and Cancelled.")
+      .def(
+          "encode",
+          [](const kerf::Mesh& mesh, const py::object& format) {
+            const std::string name = text_argument(format, "format");
+            return py::bytes(unlocked([&] { return mesh.encode(name); }));
+          },
+          py::arg("format"),
+          "Returns the bytes that write() writes; format: an extension without the dot, such as \"ply\".\n\n"
+          "Raises ValueError for another format, and Error if it cannot store the mesh.")
       .def(
           "write",
           [](const kerf::Mesh& mesh, const py::object& path) {
@@ -323,11 +280,19 @@ void add_mesh(py::module_& m) {
 void add_stroke(py::module_& m) {
   py::class_<kerf::Stroke>(m, "Stroke", "A stroke of the laser.")
       .def(py::init(&make_stroke), py::arg("keys"), py::arg("radius") = py::none(),
-           py::arg("range") = py::none(), py::arg("power") = kerf::Stroke().power,
+           py::arg("range") = py::none(), py::arg("power") = kerf::Stroke().power, py::kw_only(),
+           py::arg("wavelength") = py::none(), py::arg("focus") = py::none(),
+           py::arg("pulse_rate") = py::none(), py::arg("duty") = kerf::Stroke().duty,
+           py::arg("assist") = "none",
            "keys: poses of the beam, (time in s, origin in m, direction of any non-zero length) each.\n"
            "radius: metres, > 0; None: 1/400 of the diagonal of the world.\n"
            "range: (min, max) along the beam in metres; None: from 0 to ten diagonals.\n"
-           "power: watts, >= 0, for the thermal model.\n\n"
+           "power: watts, >= 0, for the thermal model, as are the following arguments.\n"
+           "wavelength: metres; None: that of the usual laser for the material.\n"
+           "focus: metres along the beam to its waist, > 0; None: the radius is constant.\n"
+           "pulse_rate: hertz, > 0; None: a continuous beam.\n"
+           "duty: share of each pulse period with the beam on, 0 < duty <= 1.\n"
+           "assist: \"none\" or \"oxygen\", the gas.\n\n"
            "Raises TypeError for an argument of another type and ValueError for a number out of range. "
            "World.cut checks the keys.")
       .def_property(
@@ -342,155 +307,30 @@ void add_stroke(py::module_& m) {
       .def_property(
           "power", [](const kerf::Stroke& stroke) { return stroke.power; }, &set_power,
           "Watts, >= 0, for the thermal model.")
+      .def_property(
+          "wavelength", [](const kerf::Stroke& stroke) { return number_or_none(stroke.wavelength); },
+          &set_wavelength, "Metres, > 0; None: that of the usual laser for the material.")
+      .def_property(
+          "focus", [](const kerf::Stroke& stroke) { return stroke.focus; }, &set_focus,
+          "Metres along the beam to its waist, > 0; None: the radius is constant.")
+      .def_property(
+          "pulse_rate", [](const kerf::Stroke& stroke) { return number_or_none(stroke.pulse_rate); },
+          &set_pulse_rate, "Hertz, > 0; None: a continuous beam.")
+      .def_property(
+          "duty", [](const kerf::Stroke& stroke) { return stroke.duty; }, &set_duty,
+          "Share of each pulse period with the beam on, 0 < duty <= 1.")
+      .def_property("assist", &assist_of, &set_assist, "The gas, \"none\" or \"oxygen\".")
       .def("__eq__",
            [](const kerf::Stroke& stroke, const py::object& other) {
              return py::isinstance<kerf::Stroke>(other) &&
                     state_of(stroke).equal(state_of(other.cast<const kerf::Stroke&>()));
            })
-      .def(py::pickle(
-          &state_of,
-          [](const py::tuple& state) { return make_stroke(state[0], state[1], state[2], state[3]); }))
+      .def(py::pickle(&state_of,
+                      [](const py::tuple& state) {
+                        return make_stroke(state[0], state[1], state[2], state[3], state[4], state[5],
+                                           state[6], state[7], state[8]);
+                      }))
       .def("__repr__", &text_of);
-}
-
-void add_world(py::module_& m) {
-  py::class_<HitArrays>(m, "Hits", "Crossings of k rays with surfaces, n in total.")
-      .def_readonly("offsets", &HitArrays::offsets,
-                    "all_hits: uint64 of shape (k + 1,); hits of ray i are offsets[i] to offsets[i + 1] - 1. "
-                    "nearest_hits: empty.")
-      .def_readonly("distance", &HitArrays::distance, "float64 of shape (n,), metres; inf on a miss.")
-      .def_readonly("body", &HitArrays::body, "uint64 of shape (n,), ids of bodies; 2^64 - 1 on a miss.")
-      .def_readonly("face", &HitArrays::face,
-                    "uint32 of shape (n,), face indices in their bodies; 2^32 - 1 on a miss.")
-      .def_readonly("piece", &HitArrays::piece, "uint32 of shape (n,), labels of pieces in their bodies.")
-      .def(py::pickle(
-          [](const HitArrays& hits) {
-            return py::make_tuple(hits.offsets, hits.distance, hits.body, hits.face, hits.piece);
-          },
-          [](const py::tuple& state) {
-            return HitArrays{state[0], state[1], state[2], state[3], state[4]};
-          }))
-      .def("__repr__", [](const HitArrays& hits) {
-        return "<kerf.Hits, " + std::to_string(hits.distance.size()) + " distances>";
-      });
-  py::class_<kerf::World>(m, "World", "The bodies that a laser cuts.")
-      .def(py::init<>(), "Creates an empty world.")
-      .def_static(
-          "open",
-          [](const py::object& path, const py::object& progress) {
-            const std::string file = path_argument(path);
-            const kerf::CallOptions options = options_argument(progress, 0);
-            return on_file(file, file, [&] { return std::make_unique<kerf::World>(file, options); });
-          },
-          py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
-          "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.\n\n"
-          "progress: as in cut.\n\n"
-          "Raises FileNotFoundError for a missing file, ValueError for a wrong one, and Cancelled.")
-      .def(
-          "add",
-          [](kerf::World& world, const py::object& mesh, const py::object& name) {
-            const kerf::Mesh added = mesh_argument(mesh, "mesh");
-            const std::string text = text_argument(name, "name");
-            const kerf::CallOptions options = options_argument(py::none(), 0);
-            const py::gil_scoped_release unlocked;
-            world.add(added, text, options);
-          },
-          py::arg("mesh"), py::arg("name") = "mesh",
-          "Adds a copy of a mesh as a new body, a sheet of mild steel 1 mm thick.\n\n"
-          "mesh: a Mesh, or an object with the attributes vertices and faces, or vertices and triangles.\n"
-          "name: without null characters.\n\n"
-          "Raises TypeError for another object, ValueError for bad arrays or a bad name, and Busy.")
-      .def("cut", &cut, py::arg("strokes"), py::kw_only(), py::arg("target_edge") = py::none(),
-           py::arg("tolerance") = py::none(), py::arg("max_level") = py::none(), py::arg("rim") = "faces",
-           py::arg("scheme") = "longest-edge", py::arg("model") = "geometric",
-           py::arg("material") = py::none(), py::arg("progress") = py::none(), py::arg("threads") = 0,
-           "Cuts all bodies with strokes, in order, all or nothing.\n\n"
-           "strokes: a Stroke or an iterable of them.\n"
-           "target_edge: longest edge under the beam in metres; None: a quarter of the radius.\n"
-           "tolerance: instead, how far the removed area may reach beyond the beam, in metres.\n"
-           "max_level: instead, the maximum refinement level, 0 to 24.\n"
-           "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
-           "scheme: \"longest-edge\" or \"one-to-four\", the subdivision of faces.\n"
-           "model: \"geometric\" removes faces immediately, \"thermal\" when they have absorbed enough "
-           "energy.\n"
-           "material: new material of all bodies, a name from `kerf materials`; None: unchanged.\n"
-           "progress: called with the completed fraction, 0 to 1, at most fifty times a second; returns "
-           "False to stop.\n"
-           "threads: maximum number of threads, 0 to 1024; 0: one per processor.\n\n"
-           "Returns a dict of removed_faces, removed_area (m^2) and seconds.\n\n"
-           "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh, "
-           "Cancelled, Busy, and Error if a body would get too many faces. A failed cut changes nothing.")
-      .def_property_readonly(
-          "pieces",
-          [](const kerf::World& world) {
-            const kerf::CallOptions options = options_argument(py::none(), 0);
-            const py::gil_scoped_release unlocked;
-            return world.pieces(options);
-          },
-          "The pieces of all bodies as meshes in world coordinates, largest area first. Raises Busy.")
-      .def(
-          "nearest_hits",
-          [](const kerf::World& world, const py::object& origins, const py::object& directions,
-             const py::object& range) {
-            const kerf::CallOptions options = options_argument(py::none(), 0);
-            return trace_rays(origins, directions, range,
-                              [&](const auto& from, const auto& along, const auto& within) {
-                                return world.nearest_hits(from, along, within, options);
-                              });
-          },
-          py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "Finds the first surface that each of n rays crosses and returns Hits of shape (n,).\n\n"
-          "origins, directions: finite, of shape (n, 3), metres; directions of any non-zero length.\n"
-          "range: (min, max) distance in metres; None: from 0 to infinity.\n\n"
-          "Raises ValueError for arrays or a range that violate the above, and Busy.")
-      .def(
-          "all_hits",
-          [](const kerf::World& world, const py::object& origins, const py::object& directions,
-             const py::object& range) {
-            const kerf::CallOptions options = options_argument(py::none(), 0);
-            return trace_rays(origins, directions, range,
-                              [&](const auto& from, const auto& along, const auto& within) {
-                                return world.all_hits(from, along, within, options);
-                              });
-          },
-          py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("range") = py::none(),
-          "Finds all surfaces that each of n rays crosses, nearest first, and returns Hits. Arguments and "
-          "errors are those of nearest_hits.")
-      .def(
-          "save_scene",
-          [](const kerf::World& world, const py::object& folder) {
-            const std::string to = path_argument(folder);
-            const py::gil_scoped_release unlocked;
-            world.save_scene(to);
-          },
-          py::arg("folder"),
-          "Writes the bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes (.kmesh) for "
-          "bodies with attributes or described materials. The folder is created if missing.\n\n"
-          "Raises ValueError if the world has no face, and Error if a file cannot be written.")
-      .def(
-          "save_journal",
-          [](const kerf::World& world, const py::object& path) {
-            const std::string file = path_argument(path);
-            on_file(file, folder_of(file), [&] { world.save_journal(file); });
-          },
-          py::arg("path"),
-          "Writes the journal (.kerf) of the cuts, and the added meshes next to it.\n\n"
-          "Raises FileNotFoundError if the folder is missing, ValueError if a body was added or the material "
-          "changed after a cut, and Error if a file cannot be written.")
-      .def(
-          "report", [](const kerf::World& world) { return object_of([&] { return world.report(); }); },
-          "Returns a report of all cuts, with the keys of the report.json of `kerf cut`.")
-      .def(
-          "graph", [](const kerf::World& world) { return object_of([&] { return world.graph(); }); },
-          "Returns the component graph of the faces, as written by `kerf inspect --graph`.")
-      .def_property_readonly(
-          "hash",
-          [](const kerf::World& world) {
-            const py::gil_scoped_release unlocked;
-            return world.hash();
-          },
-          "Hash of the state, 16 hexadecimal digits; equal to that of `kerf cut` for the same meshes and "
-          "strokes.");
 }
 
 // Exception classes of the module; they live as long as the interpreter.
@@ -543,6 +383,9 @@ PYBIND11_MODULE(_kerf, m) {
   add_exceptions(m);
   add_mesh(m);
   add_stroke(m);
-  add_world(m);
+  WorldClass world = add_world(m);
+  add_queries(m, world);
+  add_bodies(m, world);
+  add_changes(m, world);
   m.attr("__name__") = "kerf._kerf";
 }

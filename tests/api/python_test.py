@@ -13,6 +13,7 @@ import threading
 import time
 import types
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -182,7 +183,7 @@ class Module(unittest.TestCase):
                          tuple(f'<kerf.Mesh {name}of {len(self.mesh.faces)} faces>' for name in ('', '"ball" ')))
         hits = self.world.all_hits([[0, 9, 0]] * 2, [[0, -1, 0]] * 2)
         same = pickle.loads(pickle.dumps(hits))
-        for name in ('offsets', 'distance', 'body', 'face', 'piece'):
+        for name in ('offsets', 'distance', 'body', 'face', 'piece', 'barycentrics', 'position', 'normal', 'material', 'is_cut'):
             np.testing.assert_array_equal(getattr(same, name), getattr(hits, name))
         with self.assertRaises(TypeError):
             pickle.dumps(self.world)
@@ -225,6 +226,191 @@ class Module(unittest.TestCase):
         for bad in (b'', state[:-1], b'x' + state):
             with self.assertRaisesRegex(ValueError, '^bytes: '):
                 kerf.Mesh.__new__(kerf.Mesh).__setstate__((bad,))
+
+    def test_bodies_have_properties_that_edits_change_and_undo_restores(self):
+        body = self.world.add(self.mesh, 'plate', position=(1, 2, 3), orientation=[0, 1, 0, 0], material='copper',
+                              thickness=0.002, is_fixed=True)
+        self.assertEqual(self.world.bodies[-1], body)
+        info = self.world.info(body)
+        self.assertEqual((info.name, info.material, info.thickness, info.face_count, info.piece_count),
+                         ('plate', 'copper', 0.002, len(self.mesh.faces), 1))
+        self.assertEqual((info.position.tolist(), info.orientation.tolist()), ([1, 2, 3], [0, 1, 0, 0]))
+        self.assertEqual((info.is_fixed, info.is_solid, info.is_hidden, info.is_asleep), (True, False, False, False))
+        before = self.world.hash
+        self.assertEqual(self.world.move(body, 0, (0, 5, 0)), body)
+        self.assertEqual(self.world.info(body).position.tolist(), [0, 5, 0])
+        self.world.set_sheet(body, 0, thickness=0.003, density=1000)
+        self.assertAlmostEqual(self.world.piece(body, 0).mass, 3 * self.mesh.area)
+        self.world.set_solid(body, 0, True)
+        piece = self.world.piece(body, 0)
+        self.assertTrue(piece.is_closed)
+        self.assertEqual(piece.euler_number, 2)
+        self.assertAlmostEqual(piece.mass, 1000 * piece.volume)
+        self.world.set_fixed(body, 0, False)
+        self.world.rename(body, 0, 'ball 2')
+        self.world.set_hidden(body, 0, True)
+        info = self.world.info(body)
+        self.assertEqual((info.name, info.is_hidden, info.is_fixed), ('ball 2', True, False))
+        self.world.remove(body, 0)
+        self.assertEqual(len(self.world.bodies), 1)
+        for _ in range(7):
+            self.assertTrue(self.world.undo())
+        self.assertEqual(self.world.hash, before)
+        self.assertTrue(self.world.redo())
+        for bad in (lambda: self.world.info(body + 9), lambda: self.world.move(body, 3, (0, 0, 0)),
+                    lambda: self.world.move(body, 0, (0, 0)), lambda: self.world.move(body, -1, (0, 0, 0)),
+                    lambda: self.world.add(self.mesh, thickness=0), lambda: self.world.add(self.mesh, orientation=(1, 0, 0)),
+                    lambda: self.world.add(self.mesh, material='cheese'), lambda: self.world.corners(body, [2**31]),
+                    lambda: self.world.cut(slot(self.mesh), bodies=[]), lambda: self.world.cut(slot(self.mesh), bodies=[body + 9]),
+                    lambda: self.world.simulate(-1), lambda: self.world.set_undo_memory(-1)):
+            with self.assertRaises(ValueError):
+                bad()
+        for bad in (lambda: self.world.info('x'), lambda: self.world.corners(body, 5), lambda: self.world.simulate('1')):
+            with self.assertRaises(TypeError):
+                bad()
+
+    def test_bodies_fall_under_gravity(self):
+        self.world.set_environment(gravity=(0, -10, 0), ground=-9)
+        body, = self.world.bodies
+        self.world.simulate(0.5)
+        info = self.world.info(body)
+        np.testing.assert_allclose(info.velocity, (0, -5, 0), atol=0.2)
+        np.testing.assert_allclose(info.position, (0, -1.25, 0), atol=0.05)
+        self.assertTrue(self.world.undo())
+        self.assertEqual(self.world.info(body).position.tolist(), [0, 0, 0])
+
+    def test_a_stroke_in_steps_equals_a_cut(self):
+        whole = slot(self.mesh)
+        self.world.cut(whole, rim='smooth')
+        for seed in range(3):
+            random = np.random.default_rng(seed)
+            world = kerf.World()
+            body = world.add(self.mesh)
+            world.begin_stroke(kerf.Stroke(whole.keys[:1], whole.radius, whole.range), rim='smooth', bodies=[body])
+            with self.assertRaises(kerf.Busy):
+                world.cut(whole)
+            progress = world.step_stroke(0, 0)
+            for key in whole.keys[1:]:
+                world.add_pose(*key)
+                progress = world.step_stroke(max_faces=int(random.integers(500)))
+            world.end_stroke()
+            while not progress['is_finished']:
+                progress = world.step_stroke(int(random.integers(500)), max_seconds=0.01)
+            self.assertTrue(progress['is_idle'] and progress['waiting'] == 0)
+            self.assertEqual(world.hash, self.world.hash)
+            self.assertEqual(progress['removed_faces'], self.world.report()['removed']['faces'])
+            cut = world.hash
+            world.begin_stroke(whole)
+            world.end_stroke()
+            world.step_stroke(100)
+            world.cancel_stroke()
+            self.assertEqual(world.hash, cut)
+        for bad in (world.end_stroke, world.cancel_stroke, world.step_stroke, lambda: world.add_pose(0, (0, 0, 0), (0, 1, 0))):
+            with self.assertRaises(ValueError):
+                bad()
+
+    def test_changes_keep_a_mirror_equal(self):
+        world, (body,) = self.world, self.world.bodies
+
+        def fetch(body, faces):
+            return dict(zip(faces.tolist(), zip(world.corners(body, faces).tolist(), world.piece_labels(body, faces).tolist())))
+
+        def fetch_all():
+            return {b: fetch(b, world.faces(b)) for b in world.bodies}
+        self.assertTrue(world.take_changes().everything)
+        mirror = fetch_all()
+        labels = []
+        for change in (lambda: world.cut(slot(self.mesh)), world.undo, world.redo,
+                       lambda: world.move(body, labels[0][0], (0, 1, 0)), lambda: world.add(self.mesh), world.undo,
+                       lambda: world.set_hidden(world.bodies[0], 0, True), lambda: world.remove(world.bodies[0], 0)):
+            change()
+            changes = world.take_changes()
+            self.assertFalse(changes.everything)
+            for b in changes.bodies:
+                labels += b.new_pieces
+                if b.destroyed:
+                    del mirror[b.body]
+            for source, to, piece, keeps_faces in changes.detached:
+                if keeps_faces:
+                    mirror[to] = mirror.pop(source)
+            for b in changes.bodies:
+                if b.destroyed:
+                    continue
+                own = {} if b.created else mirror[b.body]
+                for face in b.removed.tolist():
+                    own.pop(face, None)
+                own.update(fetch(b.body, b.added))
+                for face, piece in zip(b.moved.tolist(), b.moved_pieces.tolist()):
+                    own[face] = own[face][0], piece
+                mirror[b.body] = own
+            self.assertEqual(mirror, fetch_all())
+        self.assertEqual(labels[0][1], 0)
+        self.assertFalse(world.take_changes().bodies)
+
+    def test_hits_describe_the_point_of_the_face(self):
+        body, = self.world.bodies
+        random = np.random.default_rng(1)
+        points = random.normal(size=(50, 3)) * 3
+        for hits in (self.world.closest_points(points), self.world.nearest_hits(points, -points)):
+            hit = np.isfinite(hits.distance)
+            self.assertGreater(hit.sum(), 40)
+            corners = self.world.corners(body, hits.face[hit])
+            np.testing.assert_allclose((hits.barycentrics[hit, :, None] * corners).sum(1), hits.position[hit], atol=1e-12)
+            np.testing.assert_allclose(np.linalg.norm(hits.position - points, axis=1)[hit], hits.distance[hit])
+            np.testing.assert_allclose(np.linalg.norm(hits.normal[hit], axis=1), 1)
+            self.assertEqual((hits.is_cut.dtype, hits.material.dtype), (bool, np.uint16))
+        self.assertTrue((self.world.closest_points(points * 100, max_distance=1).body == 2**64 - 1).all())
+        low, high = self.mesh.vertices.min(0), self.mesh.vertices.max(0)
+        hits = self.world.faces_in_box(low, high)
+        np.testing.assert_array_equal(hits.face, self.world.faces(body))
+        self.assertEqual(len(self.world.faces_in_box(2 * high, 3 * high).face), 0)
+        with self.assertRaises(ValueError):
+            self.world.faces_in_box(high, low)
+
+    def test_a_thermal_stroke_has_all_settings_of_a_laser(self):
+        stroke = slot(self.mesh)
+        stroke.wavelength, stroke.focus, stroke.pulse_rate, stroke.duty, stroke.assist = 1e-6, 2, 1000, 0.5, 'oxygen'
+        self.assertEqual(eval(repr(stroke)), stroke)
+        self.assertEqual(pickle.loads(pickle.dumps(stroke)).focus, 2)
+        for name, bad in (('wavelength', 0), ('focus', -1), ('pulse_rate', float('nan')), ('duty', 2), ('assist', 'air')):
+            with self.assertRaises(ValueError):
+                setattr(stroke, name, bad)
+        cut = self.world.cut(stroke, model='thermal')
+        self.assertAlmostEqual(cut['emitted'], 1000, delta=1e-6)  # in half of a second
+        self.assertTrue(0 < cut['absorbed'] < cut['emitted'] and 0 <= cut['depth'] <= 1)
+
+    def test_meshes_are_read_from_bytes_and_arrays_of_any_type(self):
+        for name in ('obj', 'ply', 'stl', 'off', 'glb', 'gltf', '3mf'):
+            encoded = self.mesh.encode(name)
+            with tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder) / ('ball.' + name)
+                self.mesh.write(file)
+                self.assertEqual(file.read_bytes(), encoded)
+                np.testing.assert_array_equal(kerf.Mesh.decode(encoded).vertices, kerf.read(file).vertices)
+        with self.assertRaises(ValueError):
+            kerf.Mesh.decode(b'', 'stl')
+        with self.assertRaises(ValueError):
+            self.mesh.encode('fbx')
+        notes = kerf.Mesh.decode(b'v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nf 1 2 2\n', format='obj').warnings
+        self.assertEqual(notes, ['1 triangle has two corners at the same position and was dropped.'])
+        rows = np.zeros(len(self.mesh.vertices), dtype=[('uv', 'f4', 2), ('at', 'f4', 3), ('x', 'u1')])
+        rows['at'] = self.mesh.vertices
+        same = kerf.Mesh(rows['at'], self.mesh.faces.astype(np.uint16)[:, ::1])
+        np.testing.assert_array_equal(same.vertices, self.mesh.vertices.astype(np.float32))
+        np.testing.assert_array_equal(same.faces, self.mesh.faces)
+
+    def test_show_opens_the_editor_on_a_world(self):
+        with tempfile.TemporaryDirectory() as folder:
+            events, image = os.path.join(folder, 'events'), os.path.join(folder, 'a.png')
+            with open(events, 'w', encoding='utf-8') as text:
+                text.write('{"wait": 0.1}\n{"picture": "%s"}\n' % image)
+            with unittest.mock.patch.dict(os.environ, XDG_CONFIG_HOME=folder, XDG_STATE_HOME=folder):
+                kerf.show(self.world, '--events', events, '--size', '320x200')
+            self.assertGreater(os.path.getsize(image), 1000)
+            with self.assertRaises(kerf.Error):
+                kerf.show(self.mesh, '--size', 'wide')
+            with self.assertRaises(TypeError):
+                kerf.show(5)
 
     def test_meshes_of_other_libraries_are_accepted_by_attributes(self):
         v, f = np.array(self.mesh.vertices), np.array(self.mesh.faces)

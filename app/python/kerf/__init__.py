@@ -17,7 +17,8 @@ A failed call has changed nothing and raises
     kerf.Error         for everything else, such as a full disk; it is the base of the last two.
 
 Several threads may read one world at the same time: pieces, hits, hash, report, graph and the save functions.
-add and cut raise kerf.Busy while another thread uses the world, and the others raise it while the world is being changed.
+Functions that change it, such as add and cut, raise kerf.Busy while another thread uses the world, and the others raise
+it while the world is being changed.
 """
 
 try:
@@ -26,8 +27,38 @@ except ImportError as _error:
     raise ImportError('kerf needs NumPy, which cannot be imported: install python3-numpy (Debian) or numpy (pip)',
                       name='numpy') from _error
 
-from ._kerf import Busy, Cancelled, Error, FileNotFound, Hits, Mesh, Stroke, World, __version__, read
+from ._kerf import (BodyChanges, BodyInfo, Busy, Cancelled, Changes, Error, FileNotFound, Hits, Mesh, Stroke, World,
+                    __version__, read)
 
 del _numpy
 
-__all__ = ['Busy', 'Cancelled', 'Error', 'FileNotFound', 'Hits', 'Mesh', 'Stroke', 'World', 'read', '__version__']
+__all__ = ['BodyChanges', 'BodyInfo', 'Busy', 'Cancelled', 'Changes', 'Error', 'FileNotFound', 'Hits', 'Mesh', 'Stroke',
+           'World', 'read', 'show', '__version__']
+
+
+def show(world, *options):
+    """Opens the editor on a copy of a world or of a mesh, and returns when its window is closed.
+
+    world: a World, or what World.add accepts.
+    options: of the program `kerf`, such as '--size', '1280x800'.
+
+    Raises TypeError for another object, ValueError if there is no visible face, and Error if the program is not
+    installed or ends with an error.
+    """
+    import os
+    import shutil
+    import subprocess
+    import tempfile
+    if not isinstance(world, World):
+        mesh, world = world, World()
+        world.add(mesh)
+    beside = os.path.abspath(os.path.join(os.path.dirname(__file__), *[os.pardir] * 4, 'bin', 'kerf'))
+    program = beside if os.access(beside, os.X_OK) else shutil.which('kerf')
+    if program is None:
+        raise Error('the program kerf is not installed; install it, or add its folder to PATH')
+    with tempfile.TemporaryDirectory(prefix='kerf-show-') as folder:
+        world.save_scene(folder)
+        done = subprocess.run([program, os.path.join(folder, 'scene.json'), *map(str, options)], stderr=subprocess.PIPE,
+                              text=True, check=False)
+    if done.returncode != 0:
+        raise Error(done.stderr.strip().removeprefix('kerf: ') or f'kerf ended with status {done.returncode}')

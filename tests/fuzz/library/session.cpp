@@ -92,7 +92,7 @@ Session::~Session() {
 }
 
 void Session::act() {
-  switch (bytes_.below(23)) {
+  switch (bytes_.below(32)) {
     case 0:
     case 1:
       return make_mesh();
@@ -129,6 +129,19 @@ void Session::act() {
     case 20:
     case 21:
       return cut_in_steps();
+    case 22:
+    case 23:
+    case 24:
+      return edit();
+    case 25:
+    case 26:
+    case 27:
+      return travel();
+    case 28:
+    case 29:
+      return take_changes();
+    case 30:
+      return convert_mesh();
     default:
       if (chance(2)) free_one();
   }
@@ -201,6 +214,15 @@ kerf_world* Session::world() {
 kerf_mesh* Session::mesh() {
   if (meshes_.empty() || chance(32)) return nullptr;
   return meshes_[bytes_.below(meshes_.size())];
+}
+
+kerf_body Session::body(const kerf_world* of) {
+  size_t count = 0;
+  if (of == nullptr || kerf_world_bodies(of, nullptr, 0, &count) != KERF_OK || count == 0 || chance(32))
+    return bytes_.byte();
+  std::vector<kerf_body> all(count);
+  kerf_world_bodies(of, all.data(), count, &count);
+  return all[bytes_.below(count)];
 }
 
 int Session::on_progress(double share, void* user) {
@@ -340,6 +362,34 @@ void Session::write_mesh() {
   checked(kerf_mesh_write(mesh(), name));
 }
 
+// Through memory: buffers of any layout, and bytes of each format.
+void Session::convert_mesh() {
+  const char* kFormats[] = {"obj", "ply", "stl", "off", "glb", "gltf", "3mf", "fbx"};
+  const kerf_mesh* of = mesh();
+  const size_t vertices = kerf_mesh_vertex_count(of), faces = kerf_mesh_face_count(of);
+  kerf_layout layout = KERF_LAYOUT_INIT;
+  layout.is_float = static_cast<int>(bytes_.below(2));
+  layout.is_16_bit = static_cast<int>(bytes_.below(2));
+  if (chance(2)) layout.vertex_stride = bytes_.below(64);
+  if (chance(2)) layout.face_stride = bytes_.below(64);
+  std::vector<char> positions(64 * (vertices + 1)), indices(64 * (faces + 1));
+  kerf_mesh* made = nullptr;
+  if (checked(kerf_mesh_copy_to(of, &layout, positions.data(), indices.data())) == KERF_OK &&
+      checked(kerf_mesh_create_from(positions.data(), vertices, indices.data(), faces, or_null(&layout),
+                                    &made)) == KERF_OK)
+    keep(std::exchange(made, nullptr));
+  char* encoded = nullptr;
+  size_t count = 0;
+  const char* format = kFormats[bytes_.below(std::size(kFormats))];
+  if (checked(kerf_mesh_encode(of, or_null(format), &encoded, &count)) != KERF_OK) return;
+  if (chance(4)) count = bytes_.below(count);
+  if (chance(4)) encoded[bytes_.below(count + 1)] = static_cast<char>(bytes_.byte());
+  if (checked(kerf_mesh_decode(encoded, count, chance(2) ? nullptr : format, control(nullptr), &made)) ==
+      KERF_OK)
+    keep(made);
+  kerf_text_free(encoded);
+}
+
 void Session::inspect_mesh() {
   checked(kerf_mesh_get_info(mesh(), nullptr));
   visit(mesh());
@@ -392,7 +442,8 @@ void Session::cut() {
   if (chance(8)) settings.material = kMaterials[bytes_.below(std::size(kMaterials))];
   kerf_world* in = world();
   const kerf_call_options* how = control(in);
-  kerf_cut_result done{sizeof done, 7, 7, 7};
+  kerf_cut_result done = KERF_CUT_RESULT_INIT;
+  done.seconds = 7;
   const kerf_stroke* given = or_null(strokes.data());
   const kerf_cut_settings* set = or_null(&settings);
   const kerf_result result =
@@ -437,6 +488,83 @@ void Session::cut_in_steps() {
   require(checked(kerf_stroke_cancel(in)) == KERF_INVALID_ARGUMENT, "a stroke that is not finished");
 }
 
+void Session::edit() {
+  const char* kMaterials[] = {nullptr, "copper", "pmma", "cheese"};
+  kerf_world* in = world();
+  const kerf_body of = body(in);
+  const auto piece = static_cast<uint32_t>(bytes_.below(4));
+  const int flag = static_cast<int>(bytes_.below(2));
+  kerf_body now = KERF_NO_BODY;
+  kerf_body* to = or_null(&now);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const double position[] = {bytes_.between(-5, 5), chance(16) ? nowhere : 0, 0};
+  const double turned[] = {0, 1, 0, 0}, orientation[] = {chance(16) ? number() : 1, 0, 0, 0};
+  const double thickness = chance(4) ? number() : 0.001, density = chance(4) ? number() : 0;
+  const size_t kind = bytes_.below(7);
+  const kerf_result result = change(in, [&] {
+    switch (kind) {
+      case 0:
+        return kerf_piece_move(in, of, piece, position, flag ? turned : orientation, to);
+      case 1:
+        return kerf_piece_set_sheet(in, of, piece, kMaterials[bytes_.below(4)], thickness, density, to);
+      case 2:
+        return kerf_piece_set_solid(in, of, piece, flag, to);
+      case 3:
+        return kerf_piece_set_hidden(in, of, piece, flag, to);
+      case 4:
+        return kerf_piece_set_fixed(in, of, piece, flag, to);
+      case 5:
+        return kerf_piece_rename(in, of, piece, flag ? "name" : "\xff");
+      default:
+        return chance(2) ? kerf_piece_remove(in, of, piece) : KERF_OK;
+    }
+  });
+  if (result != KERF_OK || kind > 4 || to == nullptr) return;
+  kerf_body_info info = KERF_BODY_INFO_INIT;
+  require(kerf_body_get_info(in, now, &info) == KERF_OK, "an edit that names no body");
+  kerf_mesh* edited = nullptr;
+  require(kerf_piece_get_mesh(in, now, piece, &edited) == KERF_OK, "an edit that changes the label");
+  keep(edited);
+}
+
+// Undo, redo and time.
+void Session::travel() {
+  kerf_world* in = world();
+  const std::string before = hash_of(in);
+  int done = 0;
+  if (chance(3)) {
+    const double gravity[] = {bytes_.between(-9, 9), bytes_.between(-20, 5), 0},
+                 ground = bytes_.between(-5, 1);
+    checked(kerf_world_set_environment(in, or_null(gravity), chance(2) ? &ground : nullptr));
+    const double seconds = chance(4) ? -std::abs(number()) : bytes_.byte() / 2560.0;
+    change(in, [&] { return kerf_world_simulate(in, seconds, nullptr); });
+  } else if (chance(3)) {
+    checked(kerf_world_set_undo_memory(in, chance(4) ? 0 : size_t{1} << 26));
+    change(in, [&] { return kerf_world_redo(in, or_null(&done)); });
+  } else if (change(in, [&] { return kerf_world_undo(in, &done); }) == KERF_OK && done && chance(2)) {
+    require(checked(kerf_world_redo(in, &done)) == KERF_OK && done, "a step that cannot be redone");
+    require(hash_of(in) == before, "a step that was redone to another state");
+  }
+}
+
+void Session::take_changes() {
+  kerf_world* of = world();
+  kerf_changes changes = KERF_CHANGES_INIT;
+  if (chance(16)) changes.size = bytes_.below(99);
+  if (checked(kerf_world_take_changes(of, or_null(&changes))) != KERF_OK || changes.size != sizeof changes)
+    return;
+  for (size_t i = 0; i < changes.body_count; ++i) {
+    const kerf_body_changes& b = changes.bodies[i];
+    if (b.flags & KERF_BODY_DESTROYED) continue;
+    std::vector<double> corners(9 * b.added_count);
+    std::vector<uint32_t> pieces(b.added_count);
+    require(kerf_body_get_faces(of, b.body, b.added, b.added_count, corners.data(), pieces.data(), nullptr,
+                                nullptr) == KERF_OK,
+            "an added face that does not exist");
+    require(std::equal(pieces.begin(), pieces.end(), b.added_pieces), "an added face of another piece");
+  }
+}
+
 void Session::take_pieces() {
   kerf_world* of = world();
   kerf_mesh** pieces = nullptr;
@@ -474,6 +602,9 @@ void Session::cast_rays() {
   require((near == KERF_OK) == (nearest.owner != nullptr), "hits without a result");
   const double farthest = chance(4) ? number() : 1;
   checked(kerf_world_closest_points(of, origins, n, farthest, how, &closest));
+  kerf_hits_free(&closest);
+  const std::vector<double> low = numbers(3), high{low[0] + length(), low[1] + length(), low[2] + length()};
+  checked(kerf_world_faces_in_box(of, or_null(low.data()), high.data(), how, &closest));
   kerf_hits_free(&closest);
   checked(kerf_world_all_hits(of, origins, directions, n, within, nullptr, nullptr));
   how = control(of);

@@ -42,6 +42,10 @@ class Session {
   void add();
   void cut();
   void cut_in_steps();
+  void convert_mesh();
+  void edit();
+  void travel();
+  void take_changes();
   void take_pieces();
   void cast_rays();
   void save_scene();
@@ -61,6 +65,7 @@ class Session {
   std::string path();
   kerf_world* world();
   kerf_mesh* mesh();
+  kerf_body body(const kerf_world* of);
   const kerf_call_options* control(kerf_world* in_use);
   kerf_stroke stroke();
   kerf_cut_settings settings();

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Cuts every mesh of a folder in two with a slot through its middle, on all cores, and collects the reports:
 #   cut_folder.sh KERF MESHES OUT
-# Skips meshes that have a report, so an interrupted run can be resumed. OUT/jobs.log lists failed jobs; the
-# next run tries them again. Needs GNU parallel and python3.
+# Skips meshes that have a report, so an interrupted run can be resumed. OUT/failed.txt lists the meshes that
+# failed; the next run tries them again. Needs python3.
 set -uo pipefail
 (($# == 3)) || { echo "usage: cut_folder.sh KERF MESHES OUT" >&2; exit 2; }
 kerf=$(realpath "$1") meshes=$(realpath "$2") out=$3
 mkdir -p "$out"
+rm -f "$out/failed.txt"
 
 # Cuts one mesh along its first axis, from above; the path follows from the bounds that `kerf info` prints.
 cut_one() {
@@ -24,10 +25,11 @@ keys = [{"t": t, "origin": [middle[0] + s * reach, high[1] + reach, middle[2]], 
 print(json.dumps({"strokes": [{"laser": {"radius": reach / 200, "range": [0, 4 * reach]}, "keys": keys}]}))
 ' <<<"$info" >"$folder/path.json" && KERF_THREADS=1 "$kerf" cut "$mesh" --path "$folder/path.json" --out "$folder"
 }
-export -f cut_one
+try_one() { cut_one "$1" "$2" || { echo "$1" >>"$2/failed.txt"; false; }; }
+export -f cut_one try_one
 export kerf
 
-find "$meshes" -maxdepth 1 -type f | sort | parallel --no-notice --joblog "$out/jobs.log" cut_one {} "$out"
+find "$meshes" -maxdepth 1 -type f -print0 | xargs -0 -r -P "$(nproc)" -I {} bash -c 'try_one "$@"' _ {} "$out"
 failed=$?
 
 python3 - "$out" <<'END'

@@ -1,4 +1,5 @@
-/* A C client: makes a square of two faces, cuts it and counts the pieces. */
+/* A C client: makes a square of two faces, cuts it and counts the pieces.
+ *   outside_c [SCENE]     SCENE: a folder for the result */
 #include <kerf/kerf_c.h>
 #include <stdio.h>
 
@@ -7,7 +8,7 @@ static int ended(kerf_result result) {
   return result != KERF_OK;
 }
 
-int main(void) {
+int main(int argc, char** argv) {
   const double vertices[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
   const kerf_keyframe keys[] = {{0, {0.5, -1, 1}, {0, 0, -1}}, {1, {0.5, 2, 1}, {0, 0, -1}}};
@@ -27,6 +28,7 @@ int main(void) {
             ended(kerf_world_cut(world, &stroke, 1, NULL, NULL, NULL)) ||
             ended(kerf_world_pieces(world, NULL, &pieces, &count));
   if (!bad) printf("%zu pieces\n", count);
+  if (!bad && argc > 1) bad = ended(kerf_world_save_scene(world, argv[1]));
   kerf_pieces_free(pieces, count);
   kerf_world_destroy(world);
   kerf_mesh_destroy(square);

@@ -1,12 +1,12 @@
 // A C++ client: reads a mesh, cuts it in two along its longest side and prints the masses of the pieces.
-//   outside MESH
+//   outside MESH [SCENE]     SCENE: a folder for the result
 #include <kerf/kerf.h>
 
 #include <algorithm>
 #include <cstdio>
 
 int main(int argc, char** argv) try {
-  if (argc != 2) throw kerf::InvalidArgument("usage: outside MESH");
+  if (argc < 2) throw kerf::InvalidArgument("usage: outside MESH [SCENE]");
   const kerf::Mesh mesh = kerf::Mesh::read(argv[1]);
   double low[3], high[3];
   std::copy_n(mesh.vertices().data(), 3, low);
@@ -24,6 +24,7 @@ int main(int argc, char** argv) try {
   std::printf("%zu faces were removed, state %s\n", cut.removed_faces, world.hash().c_str());
   for (const kerf::Mesh& piece : world.pieces())
     std::printf("%s: %.6g m2, %.6g kg\n", piece.name().c_str(), piece.area(), piece.info().mass);
+  if (argc > 2) world.save_scene(argv[2]);
   return 0;
 } catch (const std::exception& fault) {
   std::fprintf(stderr, "outside: %s\n", fault.what());

@@ -5,6 +5,7 @@ The picture of the editor needs a display. Needs nothing but Python's standard l
 
 import json
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -61,6 +62,57 @@ def make_editor(folder):
                    input="".join(json.dumps(step) + "\n" for step in steps), stdout=subprocess.DEVNULL)
 
 
+# Runs a program in Python or the cells of a notebook, and saves its world, or the pieces in its answer, as a scene.
+SAVE_SCENE = """
+import base64, io, json, sys, contextlib
+import kerf
+scene, program, sys.argv = sys.argv[1], sys.argv[2], sys.argv[2:]
+text, scope, said = open(program).read(), {}, io.StringIO()
+if program.endswith('.ipynb'):
+    text = '\\n'.join(''.join(cell['source']) for cell in json.loads(text)['cells'] if cell['cell_type'] == 'code')
+with contextlib.redirect_stdout(said):
+    exec(compile(text, program, 'exec'), scope)
+world = scope.get('world')
+if world is None:
+    world = kerf.World()
+    for piece in json.loads(said.getvalue())['pieces']:
+        world.add(kerf.Mesh.decode(base64.b64decode(piece['mesh'])))
+world.save_scene(scene)
+"""
+
+
+def make_examples(folder):
+    """The result of each example, `examples/NAME.png`; its programs are built against an installation."""
+    root, prefix = ASSETS.parent, folder / "prefix"
+    examples, build, sphere = root / "app" / "examples", folder / "build", ASSETS / "meshes" / "sphere.obj"
+
+    def run(*words, **options):
+        subprocess.run([*map(str, words)], check=True, stdout=subprocess.DEVNULL, **options)
+    run("cmake", "--install", Path(KERF).parent, "--prefix", prefix)
+    run("cmake", "-S", examples, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", build)
+    site = dict(os.environ, PYTHONPATH=str(prefix / "lib/python3/dist-packages"))
+    plate = {"vertices": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]], "faces": [[0, 2, 1], [0, 3, 2]], "rim": "smooth",
+             "strokes": [{"keys": [[t, [0.1 * t, 1, 0.2 + 0.6 * (t % 2)], [0, -1, 0]] for t in range(11)], "radius": 0.02}]}
+    for name, words in (("cut_in_five_lines.py", [sphere]), ("drill_holes.py", []), ("tune_resolution.py", [sphere]),
+                        ("rays_against_brute_force.py", [sphere]), ("tune_resolution.ipynb", []), ("cut_server.py", [])):
+        run("/usr/bin/python3", "-c", SAVE_SCENE, folder / name, examples / name, *words, env=site, text=True,
+            input=json.dumps(plate))
+    for name, words in (("outside", [sphere]), ("outside_c", []), ("engine_extension", []), ("live_cut", [60])):
+        run(build / name, *words, folder / (name + ".scene"))
+    run("xvfb-run", "-a", build / "live_window", 110, folder / "live_window.scene")
+    (folder / "meshes").mkdir()
+    shutil.copy(ASSETS / "meshes" / "knot.obj", folder / "meshes")
+    run("bash", examples / "cut_folder.sh", KERF, folder / "meshes", folder / "cut")
+    (folder / "cut_folder.sh").mkdir()
+    bodies = [{"mesh": str(piece)} for piece in sorted((folder / "cut" / "knot.obj").glob("*.obj"))]
+    (folder / "cut_folder.sh" / "scene.json").write_text(json.dumps({"bodies": bodies}))
+    (PICTURES / "examples").mkdir(exist_ok=True)
+    for scene in folder.glob("*/scene.json"):
+        name = scene.parent.name.removesuffix(".scene").replace(".ipynb", "_notebook").split(".")[0]
+        kerf("render", scene, "--show", "pieces,wire", "--size", "480x300", "--out", PICTURES / "examples" / (name + ".png"))
+
+
 def read_png(file):
     """The rows of a picture of red, green and blue, eight bits each."""
     content, at, data = file.read_bytes(), 8, b""
@@ -102,3 +154,4 @@ if __name__ == "__main__":
             make_scene(picture, scene)
         make_rims(Path(name))
         make_editor(Path(name))
+        make_examples(Path(name))

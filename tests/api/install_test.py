@@ -6,6 +6,7 @@ Python examples end well and agree with `kerf cut`.
 """
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,15 @@ import tempfile
 BUILD, CHECKOUT = map(os.path.abspath, sys.argv[1:])
 EXAMPLES = os.path.join(CHECKOUT, 'app/examples')
 SPHERE = os.path.join(CHECKOUT, 'assets/meshes/sphere.obj')
+# Executes the cells of a notebook.
+RUN_NOTEBOOK = '''
+import json, sys
+cells = json.load(open(sys.argv[1], encoding='utf-8'))['cells']
+scope = {}
+for cell in cells:
+    if cell['cell_type'] == 'code':
+        exec(compile(''.join(cell['source']), cell['id'], 'exec'), scope)
+'''
 # The Python for which the module is built.
 PYTHON = '/usr/bin/python3'
 
@@ -45,25 +55,38 @@ def check_program(prefix, folder):
 
 
 def check_outside_programs(prefix, folder):
-    with open(os.path.join(folder, 'CMakeLists.txt'), 'w', encoding='utf-8') as text:
-        text.write('cmake_minimum_required(VERSION 3.25)\nproject(outside LANGUAGES C CXX)\nfind_package(kerf 0.2 REQUIRED)\n'
-                   f'add_executable(outside {EXAMPLES}/outside.cpp)\ntarget_link_libraries(outside PRIVATE kerf::core)\n'
-                   f'add_executable(live_cut {EXAMPLES}/live_cut.cpp)\ntarget_link_libraries(live_cut PRIVATE kerf::core)\n'
-                   f'add_executable(outside_c {EXAMPLES}/outside.c)\ntarget_link_libraries(outside_c PRIVATE kerf::c)\n'
-                   f'add_executable(engine {EXAMPLES}/engine_extension.c)\ntarget_link_libraries(engine PRIVATE kerf::c m)\n'
-                   'target_compile_options(engine PRIVATE -Wall -Wextra -Werror)\n'
-                   'target_compile_options(outside PRIVATE -Wall -Wextra -Werror -ffast-math)\n'
-                   'target_compile_options(outside_c PRIVATE -Wall -Wextra -Werror)\n')
     build = os.path.join(folder, 'build')
-    run('cmake', '-S', folder, '-B', build, f'-DCMAKE_PREFIX_PATH={prefix}')
+    run('cmake', '-S', EXAMPLES, '-B', build, f'-DCMAKE_PREFIX_PATH={prefix}', '-DCMAKE_C_FLAGS=-Wall -Wextra -Werror',
+        '-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror -ffast-math')
     run('cmake', '--build', build)
     said = run(os.path.join(build, 'outside'), SPHERE)
     assert said.count(' kg') == 2, said
     assert 'per changed face' in run(os.path.join(build, 'live_cut'), '60')
+    window = os.path.join(build, 'live_window')
+    if os.path.exists(window) and shutil.which('xvfb-run'):
+        assert ' pieces' in run('xvfb-run', '-a', window, '30', os.path.join(folder, 'scene'))
+        assert os.path.exists(os.path.join(folder, 'scene', 'scene.json'))
     assert run(os.path.join(build, 'outside_c')) == '2 pieces\n'
-    masses = [float(line.split(', ')[1].split()[0]) for line in run(os.path.join(build, 'engine')).splitlines()]
+    masses = [float(line.split(', ')[1].split()[0]) for line in run(os.path.join(build, 'engine_extension')).splitlines()]
     # The box has 10 m2 of sheet at 7.85 kg; the slot takes four strips of 2 cm by one metre from it.
     assert len(masses) == 2 and abs(sum(masses) - 7.85 * (10 - 4 * 0.02)) < 0.01, masses
+
+
+def check_batch(prefix, folder):
+    meshes = os.path.join(folder, 'meshes')
+    os.mkdir(meshes)
+    for name in ('sphere.obj', 'knot.obj'):
+        shutil.copy(os.path.join(os.path.dirname(SPHERE), name), meshes)
+    out = os.path.join(folder, 'cut')
+    command = ['bash', os.path.join(EXAMPLES, 'cut_folder.sh'), os.path.join(prefix, 'bin/kerf'), meshes, out]
+    run(*command)
+    with open(os.path.join(out, 'table.csv'), encoding='utf-8') as table:
+        assert [line.split(',')[0] for line in table] == ['mesh', 'knot.obj', 'sphere.obj']
+    bad = os.path.join(meshes, 'bad.obj')
+    open(bad, 'w', encoding='utf-8').close()
+    assert subprocess.run(command, capture_output=True, check=False).returncode != 0
+    with open(os.path.join(out, 'failed.txt'), encoding='utf-8') as failed:
+        assert failed.read() == bad + '\n'
 
 
 def check_python(prefix, folder):
@@ -75,6 +98,14 @@ def check_python(prefix, folder):
     for example in ('tune_resolution.py', 'rays_against_brute_force.py'):
         run(PYTHON, os.path.join(EXAMPLES, example), SPHERE, env=environment)
     run(PYTHON, os.path.join(EXAMPLES, 'drill_holes.py'), env=environment)
+    run(PYTHON, '-c', RUN_NOTEBOOK, os.path.join(EXAMPLES, 'tune_resolution.ipynb'), env=environment)
+    jobs = [{'vertices': [[0, 0, 0], [1, 0, 0], [0, 0, 1]], 'faces': [[0, 2, 1]], 'material': 'copper', 'rim': 'smooth',
+             'strokes': [{'keys': [[0, [0.3, 1, -1], [0, -1, 0]], [1, [0.3, 1, 2], [0, -1, 0]]], 'radius': 0.01}]}, {'faces': 3}]
+    answers = [json.loads(line) for line in
+               run(PYTHON, os.path.join(EXAMPLES, 'cut_server.py'), env=environment,
+                   input=''.join(json.dumps(job) + '\n' for job in jobs)).splitlines()]
+    assert len(answers[0]['pieces']) == 2 and list(answers[1]) == ['error'], answers
+    assert abs(answers[0]['removed_area'] - 0.02 * 0.7) < 1e-9, answers
     said = run(PYTHON, os.path.join(EXAMPLES, 'cut_in_five_lines.py'), SPHERE, env=environment).split()
     path, out = os.path.join(folder, 'path.json'), os.path.join(folder, 'out')
     with open(path, 'w', encoding='utf-8') as text:
@@ -99,6 +130,7 @@ def main():
         outside = os.path.join(folder, 'outside')
         os.mkdir(outside)
         check_outside_programs(prefix, outside)
+        check_batch(prefix, folder)
         check_python(prefix, folder)
 
 

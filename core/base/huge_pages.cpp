@@ -1,4 +1,4 @@
-// Replaces operator new in the program and within the library: aligns large arrays to huge pages and backs
+// Replaces operator new in a program of this project: aligns large arrays to huge pages and backs
 // them by these if the system has any. Loading a million faces fills several hundred megabytes, and page
 // faults of small pages take a fifth of that time.
 #include <cstdlib>

@@ -1,14 +1,42 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <string>
 
 #include "core/kerf.h"
 #include "tests/api/sheets.h"
+
+namespace {
+
+// Marks memory of this program, as an engine with an allocator of its own may.
+constexpr size_t kMark = 0x6b657266, kMarkBytes = 16;
+
+void free_marked(void* memory) {
+  if (memory == nullptr) return;
+  char* whole = static_cast<char*>(memory) - kMarkBytes;
+  size_t mark = 0;
+  std::memcpy(&mark, whole, sizeof mark);
+  if (mark != kMark) std::abort();
+  std::free(whole);
+}
+
+}  // namespace
+
+// The library must use these, or neither of them: all tests of this program check it.
+void* operator new(size_t bytes) {
+  auto* whole = static_cast<char*>(std::malloc(bytes + kMarkBytes));
+  if (whole == nullptr) throw std::bad_alloc();
+  std::memcpy(whole, &kMark, sizeof kMark);
+  return whole + kMarkBytes;
+}
+void operator delete(void* memory) noexcept { free_marked(memory); }
+void operator delete(void* memory, size_t) noexcept { free_marked(memory); }
 
 namespace kerf::test {
 namespace {

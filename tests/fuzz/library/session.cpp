@@ -373,21 +373,21 @@ void Session::convert_mesh() {
   if (chance(2)) layout.vertex_stride = bytes_.below(64);
   if (chance(2)) layout.face_stride = bytes_.below(64);
   std::vector<char> positions(64 * (vertices + 1)), indices(64 * (faces + 1));
-  kerf_mesh* made = nullptr;
-  if (checked(kerf_mesh_copy_to(of, &layout, positions.data(), indices.data())) == KERF_OK &&
-      checked(kerf_mesh_create_from(positions.data(), vertices, indices.data(), faces, or_null(&layout),
-                                    &made)) == KERF_OK)
-    keep(std::exchange(made, nullptr));
+  kerf_mesh *copy = nullptr, *decoded = nullptr;  // kept last, because that may destroy the mesh
+  if (checked(kerf_mesh_copy_to(of, &layout, positions.data(), indices.data())) == KERF_OK)
+    checked(
+        kerf_mesh_create_from(positions.data(), vertices, indices.data(), faces, or_null(&layout), &copy));
   char* encoded = nullptr;
   size_t count = 0;
   const char* format = kFormats[bytes_.below(std::size(kFormats))];
-  if (checked(kerf_mesh_encode(of, or_null(format), &encoded, &count)) != KERF_OK) return;
-  if (chance(4)) count = bytes_.below(count);
-  if (chance(4)) encoded[bytes_.below(count + 1)] = static_cast<char>(bytes_.byte());
-  if (checked(kerf_mesh_decode(encoded, count, chance(2) ? nullptr : format, control(nullptr), &made)) ==
-      KERF_OK)
-    keep(made);
-  kerf_text_free(encoded);
+  if (checked(kerf_mesh_encode(of, or_null(format), &encoded, &count)) == KERF_OK) {
+    if (chance(4)) count = bytes_.below(count);
+    if (chance(4)) encoded[bytes_.below(count + 1)] = static_cast<char>(bytes_.byte());
+    checked(kerf_mesh_decode(encoded, count, chance(2) ? nullptr : format, control(nullptr), &decoded));
+    kerf_text_free(encoded);
+  }
+  for (kerf_mesh* made : {copy, decoded})
+    if (made != nullptr) keep(made);
 }
 
 void Session::inspect_mesh() {

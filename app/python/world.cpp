@@ -161,8 +161,8 @@ void add_files(WorldClass& world) {
             unlocked([&] { of.save_scene(to); });
           },
           py::arg("folder"),
-          "Writes the bodies as OBJ files and a scene.json that the editor opens. The folder is created if "
-          "missing.\n\n"
+          "Writes the bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes (.kmesh) for "
+          "bodies with attributes or described materials. The folder is created if missing.\n\n"
           "Raises ValueError if the world has no face, and Error if a file cannot be written.")
       .def(
           "save_journal",

@@ -52,7 +52,8 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path, MeshF
 // Returns the bytes that write_mesh writes, or an error for a mesh that the format cannot represent. Throws
 // std::bad_alloc.
 Result<std::string> encode_mesh(const MeshView& mesh, MeshFormat format);
-// Writes several meshes like write_mesh, as nodes of glTF or objects of 3MF. Precondition: holds_several_meshes(format).
+// Writes several meshes like write_mesh, as nodes of glTF or objects of 3MF. Precondition:
+// holds_several_meshes(format).
 Status write_meshes(std::span<const MeshView> meshes, const std::filesystem::path& path, MeshFormat format);
 
 // The loss of precision when a mesh is written in a single-precision format.

@@ -217,7 +217,7 @@ void UvStretch::collect_overlaps(const Set& set, const Ring& ring) {
   for (const FlatSurface::Opposite& side : ring.sides)
     around_.insert(around_.end(), set.overlaps[side.face].begin(), set.overlaps[side.face].end());
   std::ranges::sort(around_);
-  around_.erase(std::ranges::unique(around_).begin(), around_.end());
+  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
 }
 
 // Compares the metrics of both faces in coordinates along two sides of the original one, in which that metric

@@ -6,6 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "app/version.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/save.h"
@@ -46,6 +47,7 @@ Status edit(const EditorArguments& a) {
   if (!a.landmarks.empty()) options.landmarks = a.landmarks;
   if (!a.events.empty()) options.events = a.events;
   options.own_font = a.own_font;
+  options.version = version_text();
   if (!a.size.empty()) {
     const auto size = parse_size(a.size);
     if (!size) return size.error();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/gl/context.h"
 #include "ui/gl/image.h"
 #include "ui/render/bodies/overlay_marks.h"
 
@@ -221,8 +222,7 @@ void ResolutionChoice::took(double seconds) {
 }
 
 bool draws_in_software() {
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view renderer = name != nullptr ? name : "";
+  const std::string renderer = gl::renderer_name();
   for (const char* software : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"}) {
     if (renderer.find(software) != std::string_view::npos) return true;
   }

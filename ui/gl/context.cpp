@@ -58,6 +58,11 @@ const char* open_context(EGLDisplay display, bool with_surface, EGLConfig& confi
 
 }  // namespace
 
+std::string renderer_name() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name != nullptr ? name : "unknown";
+}
+
 void report_gl_errors() {
   if (!asserts_are_fatal() || !epoxy_has_gl_extension("GL_KHR_debug")) return;
   glEnable(GL_DEBUG_OUTPUT);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/base/result.h"
 
@@ -10,6 +11,9 @@ namespace kerf::gl {
 // context fatal: prints it on standard error, and ends the program by a signal. Otherwise, or if the context
 // has no debug output, does nothing.
 void report_gl_errors();
+
+// Returns the name of the renderer of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+std::string renderer_name();
 
 // An OpenGL 3.3 core context without a window, a screen or an X server. Current on this thread while the
 // object exists. Has a default framebuffer only if it was created with a surface.

@@ -136,7 +136,7 @@ class InspectFeature : public Feature {
   std::vector<UserAction> actions() override {
     UserAction action =
         tool_action(workspace_, kInspectTool, "Inspect and Measure", "M",
-                    "Shows data of the face under the pointer; two clicks measure a distance.");
+                    "Shows data of the face under the pointer; clicks measure distance, angle and radius.");
     action.run = [this, take = action.run] {
       take();
       measured_.clear();
@@ -153,7 +153,9 @@ class InspectFeature : public Feature {
     measured_.clear();
     return true;
   }
-  const char* status_hint() const override { return inspects() ? "Measure: click two points" : nullptr; }
+  const char* status_hint() const override {
+    return inspects() ? "Measure: click two points, or three for an angle" : nullptr;
+  }
 
   void update(double) override {
     if (!inspects()) measured_.clear();
@@ -167,33 +169,53 @@ class InspectFeature : public Feature {
 
   void draw_overlay(ImDrawList& list) override {
     if (inspects() && measured_.size() == 1) draw_measured_point(workspace_.view, measured_.front(), list);
-    if (inspects() && measured_.size() == 2) {
-      const double length = glm::length(measured_[1] - measured_[0]);
-      draw_distance(workspace_.view, measured_[0], measured_[1],
+    for (size_t i = 1; inspects() && i < measured_.size(); ++i) {
+      const double length = glm::length(measured_[i] - measured_[i - 1]);
+      draw_distance(workspace_.view, measured_[i - 1], measured_[i],
                     length_label(length, workspace_.view.frame.unit), list);
     }
+    if (inspects() && measured_.size() == 3) draw_corner(list);
     if (inspects()) draw_face_readout(workspace_, list);
     draw_heat_probe(probe_, workspace_.view.layout.first);
   }
 
  private:
+  // Draws the angle and the radius next to the middle point.
+  void draw_corner(ImDrawList& list) const {
+    const auto place = PrimaryViewport(workspace_.view).place_of(measured_[1]);
+    if (!place) return;
+    const float em = ImGui::GetFontSize();
+    const std::string text = corner_text();
+    const ImVec2 at = to_im(*place + Vec2(em, 0.5 * em)), size = ImGui::CalcTextSize(text.c_str());
+    list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
+                       IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+    list.AddText(at, colours::kPictureText, text.c_str());
+  }
   bool inspects() const { return workspace_.input.tool == kInspectTool; }
-  // The third click begins another distance.
+  // The fourth click begins another measurement.
   void measure() {
     if (workspace_.view.in_second) return workspace_.message.error("Measure distances in the left half.");
     const auto point = point_under_pointer(workspace_);
     if (!point) return workspace_.message.error("No surface under the pointer.");
-    if (measured_.size() == 2) measured_.clear();
+    if (measured_.size() == 3) measured_.clear();
     measured_.push_back(*point);
     if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure the distance.");
-    const Vec3 way = measured_[1] - measured_[0];
     const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
+    if (measured_.size() == 3) return workspace_.message.info(corner_text());
+    const Vec3 way = measured_[1] - measured_[0];
     workspace_.message.info("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
-                            ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)));
+                            ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)) +
+                            "; click a third point for the angle and the radius");
+  }
+  std::string corner_text() const {
+    const Corner corner = measure_corner(measured_[0], measured_[1], measured_[2]);
+    std::string text = text_of("Angle %.1f\u00b0", corner.degrees);
+    if (corner.radius) text += ", radius " + length_label(*corner.radius, workspace_.view.frame.unit);
+    return text;
   }
 
   Workspace& workspace_;
-  std::vector<Vec3> measured_;  // m, the points that were clicked: at most two
+  std::vector<Vec3> measured_;  // m, the points that were clicked: at most three
   HeatProbe probe_;
 };
 
@@ -480,6 +502,14 @@ class RulerFeature : public Feature {
 // --------------------------------------------------------------------------------------------------------
 
 }  // namespace
+
+Corner measure_corner(const Vec3& from, const Vec3& at, const Vec3& to) {
+  Corner corner{degrees_between(from - at, to - at), std::nullopt};
+  const double area = glm::length(glm::cross(from - at, to - at));
+  if (area > 0)
+    corner.radius = glm::length(from - at) * glm::length(to - at) * glm::length(to - from) / (2 * area);
+  return corner;
+}
 
 FaceFacts face_facts(const Body& body, FaceId face) {
   KERF_ASSERT(body.mesh.is_live(face));

@@ -35,6 +35,13 @@ FaceFacts face_facts(const Body& body, FaceId face);
 // Formats the properties as lines of text, with lengths in file units.
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit);
 
+// The angle at the middle one of three points, and the radius of the circle through them.
+struct Corner {
+  double degrees = 0;            // 0 to 180
+  std::optional<double> radius;  // m; nullopt if the points lie on a line
+};
+Corner measure_corner(const Vec3& from, const Vec3& at, const Vec3& to);
+
 // Records the temperature over world time of the point last clicked with the inspect tool. The curve
 // continues while that tool or the temperature view is active; another click or an undo of time restarts it.
 class HeatProbe {

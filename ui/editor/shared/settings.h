@@ -141,6 +141,7 @@ struct EditorOptions {
   bool own_font = false;      // ImGui's built-in font, as if none were installed
   int width = 0, height = 0;  // of the window, in screen coordinates; 0: as in the last session
   std::filesystem::path default_scene;
+  std::string version;  // of the program, with its commit
 };
 
 }  // namespace kerf

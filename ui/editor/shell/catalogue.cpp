@@ -90,7 +90,8 @@ const std::vector<MenuLayout> kMenus{
       "view.sidebar", "view.toolbar", "view.light_theme", "view.scale_up", "view.scale_down", kLine,
       "view.split"}},
     {"Help",
-     {"help.palette", "help.settings", "help.shortcuts", "help.messages", "help.welcome", "help.tour"}},
+     {"help.palette", "help.settings", "help.shortcuts", "help.messages", "help.welcome", "help.tour", kLine,
+      "help.about"}},
 };
 // clang-format on
 

@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "ui/editor/shell/panel_column.h"
+#include "ui/gl/context.h"
 #include "ui/window/gui.h"
 #include "ui/window/layout.h"
 #include "ui/window/theme.h"
@@ -255,6 +256,45 @@ void draw_list(SettingsPage& page, std::span<const UserAction> actions) {
   ImGui::EndTable();
 }
 
+// The libraries of the program, with their licences; the README lists them, too.
+constexpr std::array<std::pair<const char*, const char*>, 15> kLibraries{
+    {{"Bullet", "zlib"},
+     {"OpenMesh", "BSD, 3 clauses"},
+     {"lib3mf", "BSD, 2 clauses"},
+     {"zlib", "zlib"},
+     {"oneTBB", "Apache 2.0"},
+     {"GLM", "MIT"},
+     {"JSON for Modern C++", "MIT"},
+     {"CLI11", "BSD, 3 clauses"},
+     {"Dear ImGui", "MIT"},
+     {"GLFW", "zlib"},
+     {"libepoxy", "MIT"},
+     {"stb", "MIT or public domain"},
+     {"OpenAL Soft", "LGPL 2 or later"},
+     {"pybind11 and NumPy", "BSD, 3 clauses"},
+     {"Roboto (font)", "Apache 2.0"}}};
+constexpr float kAboutWidthEms = 30, kAboutHeightEms = 26;
+
+void draw_about(bool& shown, const std::string& version) {
+  if (!shown) return;
+  if (begin_centred_window("About Kerf", "about", shown, kAboutWidthEms, kAboutHeightEms)) {
+    ImGui::TextUnformatted(version.c_str());
+    ImGui::TextWrapped("Graphics: %s", gl::renderer_name().c_str());
+    ImGui::TextWrapped("The owner has not selected a licence for Kerf yet. It uses these libraries:");
+    if (ImGui::BeginTable("libraries", 2, ImGuiTableFlags_RowBg)) {
+      for (const auto& [library, licence] : kLibraries) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(library);
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(licence);
+      }
+      ImGui::EndTable();
+    }
+  }
+  end_centred_window();
+}
+
 class Dialogs : public Feature {
  public:
   Dialogs(Workspace& workspace, const Catalogue& catalogue) : workspace_(workspace), catalogue_(catalogue) {}
@@ -282,15 +322,20 @@ class Dialogs : public Feature {
     }
     return true;
   }
+  Status on_start(const EditorOptions& options) override {
+    version_ = options.version;
+    return Done{};
+  }
   bool clear_selection() override {
-    const bool shown = sheet_.shown || workspace_.services.messages_shown;
-    sheet_.shown = workspace_.services.messages_shown = false;
+    const bool shown = about_shown_ || sheet_.shown || workspace_.services.messages_shown;
+    about_shown_ = sheet_.shown = workspace_.services.messages_shown = false;
     return shown;
   }
   bool awaits_focus() const override { return workspace_.services.browser.open || palette_.open; }
   void draw_windows() override {
     draw_shortcut_sheet(sheet_, catalogue_.actions, catalogue_.gestures);
     draw_message_log(workspace_.services.messages_shown, workspace_.message);
+    draw_about(about_shown_, version_);
     draw_settings_page(page_, workspace_.settings, catalogue_.usual);
     const Area& picture = workspace_.view.layout.viewport;
     draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
@@ -331,6 +376,8 @@ class Dialogs : public Feature {
         make_action("help.shortcuts", "Shortcuts", "F1", "Lists all keys and mouse gestures.",
                     [this] { sheet_ = {.shown = !sheet_.shown}; },
                     {.checked = [this] { return sheet_.shown; }}),
+        make_action("help.about", "About Kerf", "", "Shows version, graphics driver and libraries.",
+                    [this] { about_shown_ = !about_shown_; }, {.checked = [this] { return about_shown_; }}),
         make_action("help.messages", "Messages", "",
                     "Lists all messages of the status bar in full; a click on the status bar does the same.",
                     [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
@@ -343,6 +390,8 @@ class Dialogs : public Feature {
   CommandPalette palette_;
   SettingsPage page_;
   ShortcutSheet sheet_;
+  bool about_shown_ = false;
+  std::string version_;
 };
 
 }  // namespace

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/deterministic_math.h"
+#include "core/base/random.h"
+
 #include <algorithm>
 #include <set>
 
@@ -70,6 +75,24 @@ TEST(PlacementAngles, round_trip_through_the_orientation) {
   EXPECT_EQ(angles_of({1, 0, 0, 0}), Vec3(0));
   const Vec3 turned = orientation_of({0, 0, 90}) * Vec3(1, 0, 0);
   EXPECT_LT(glm::length(turned - Vec3(0, 1, 0)), 1e-12);
+}
+
+// Against points on a circle: the inscribed angle is half of the arc that it sees.
+TEST(Corner, has_the_inscribed_angle_and_the_radius_of_its_circle) {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double radius = random.uniform(0.1, 10), first = random.uniform(0, 2), last = random.uniform(3, 6);
+    const Vec3 middle(random.uniform(-5, 5), random.uniform(-5, 5), 2);
+    const auto point = [&](double angle) {
+      return middle + radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    };
+    const double at = random.uniform(last + 0.1, first + 6.1);
+    const Corner corner = measure_corner(point(first), point(at), point(last));
+    EXPECT_NEAR(corner.degrees, 0.5 * (last - first) * 180 / kPi, 1e-6) << "seed 5, case " << i;
+    ASSERT_TRUE(corner.radius);
+    EXPECT_NEAR(*corner.radius, radius, 1e-6 * radius);
+  }
+  EXPECT_FALSE(measure_corner({0, 0, 0}, {1, 0, 0}, {2, 0, 0}).radius);
 }
 
 }  // namespace

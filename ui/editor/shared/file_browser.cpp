@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -52,6 +53,7 @@ bool opens(const FileBrowser& b) { return b.request.endings.empty() && !exports(
 bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
   if (entry.folder) return true;
   if (exports(b)) return mesh_format(fs::path(entry.name).extension().string()).has_value();
+  if (!is_of_kind(entry.name, b.kind)) return false;
   return entry.name.ends_with(b.request.listed);
 }
 
@@ -142,6 +144,12 @@ fs::path with_ending(fs::path file, const FileBrowser& b) {
   return file;
 }
 
+// "Journal with all cuts (.kerf)".
+std::string type_name(const std::string& ending) {
+  const char* name = ending == ".kerf" ? "Journal with all cuts " : ending == ".json" ? "Scene or path " : "";
+  return std::string(name) + (*name != '\0' ? "(" + ending + ")" : ending);
+}
+
 void accept(FileBrowser& b) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
@@ -162,6 +170,15 @@ void draw_where(FileBrowser& b) {
   if (ImGui::Button("Up")) enter_folder(b, b.folder.parent_path());
   tooltip("Parent folder (Backspace)");
   ImGui::SameLine();
+  if (!opens(b)) {
+    if (ImGui::Button("New Folder")) {
+      const auto made = make_new_folder(b.folder);
+      if (made) enter_folder(b, *made);
+      if (!made) b.fault = made.error().message;
+    }
+    mark_last_item("new folder");
+    ImGui::SameLine();
+  }
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x;
   std::string shown = b.folder.string();
@@ -284,6 +301,28 @@ void draw_export(FileBrowser& b) {
   draw_file_names(b.request.writes(with_ending(b.folder / b.name.data(), b)));
 }
 
+// Draws the kinds of files that can be listed, or the extensions that can be written.
+void draw_types(FileBrowser& b) {
+  if (opens(b) && *b.request.listed == '\0') {
+    constexpr std::array kKinds{"All", "Meshes", "Scenes", "Journals"};
+    for (size_t i = 0; i < kKinds.size(); ++i) {
+      if (i > 0) ImGui::SameLine();
+      const auto kind = static_cast<FileKind>(i);
+      if (ImGui::RadioButton(kKinds.at(i), b.kind == kind)) b.kind = kind, b.cursor = 0;
+      mark_last_item(kKinds.at(i));
+    }
+  }
+  const fs::path name = with_ending(b.name.data(), b);
+  for (const std::string& ending : b.request.endings) {
+    if (&ending != &b.request.endings.front()) ImGui::SameLine();
+    if (ImGui::RadioButton(type_name(ending).c_str(), name.extension() == ending) && b.name.front() != '\0') {
+      set_name(b, fs::path(name).replace_extension(ending).string());
+      b.replace.clear();
+    }
+    mark_last_item(("type " + ending).c_str());
+  }
+}
+
 void draw_buttons(FileBrowser& b) {
   ImGui::PushTextWrapPos(0);
   if (b.fault.empty()) {
@@ -299,6 +338,31 @@ void draw_buttons(FileBrowser& b) {
 }
 
 }  // namespace
+
+bool is_of_kind(const std::string& name, FileKind kind) {
+  const fs::path file = name;
+  const std::string ending = lower(file.extension().string());
+  switch (kind) {
+    case FileKind::kMeshes:
+      return mesh_format(ending).has_value();
+    case FileKind::kScenes:
+      return ending == ".json";
+    case FileKind::kJournals:
+      return is_journal(file);
+    case FileKind::kAll:
+      break;
+  }
+  return true;
+}
+
+Result<fs::path> make_new_folder(const fs::path& parent) {
+  std::error_code error;
+  for (int i = 1;; ++i) {
+    const fs::path folder = parent / (i == 1 ? "New Folder" : "New Folder " + std::to_string(i));
+    if (fs::create_directory(folder, error)) return folder;
+    if (error) return bad_input(folder.string() + ": cannot create this folder: " + error.message());
+  }
+}
 
 std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault) {
   fault.clear();
@@ -358,6 +422,7 @@ void browse(FileBrowser& b, FileRequest request, fs::path folder, const std::str
   FileBrowser fresh;
   fresh.format = b.format;
   fresh.single_file = b.single_file;
+  fresh.kind = b.kind;
   b = std::move(fresh);
   b.request = std::move(request);
   b.open = true;
@@ -422,6 +487,7 @@ void draw_file_browser(FileBrowser& b) {
   draw_where(b);
   draw_name(b);
   if (exports(b)) draw_export(b);
+  draw_types(b);
   draw_list(b);
   draw_buttons(b);
   if (!wanted) b.open = false;

@@ -13,6 +13,9 @@
 
 namespace kerf {
 
+// The files that the dialog lists.
+enum class FileKind { kAll, kMeshes, kScenes, kJournals };
+
 struct FolderEntry {
   std::string name;
   bool folder = false;
@@ -22,6 +25,13 @@ struct FolderEntry {
 // Lists the subfolders, then the files with an extension that can be opened, both by name and without hidden
 // ones. `fault` becomes an error sentence, or empty.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder, std::string& fault);
+
+// Returns true if a file with this name is of a kind, by its extension.
+bool is_of_kind(const std::string& name, FileKind kind);
+
+// Creates a folder "New Folder", or "New Folder 2" and so on if that exists. Returns its path, or an error
+// sentence.
+Result<std::filesystem::path> make_new_folder(const std::filesystem::path& parent);
 
 // Returns true if a name contains the filter, ignoring case.
 bool passes_filter(const std::string& name, const std::string& filter);
@@ -56,6 +66,7 @@ struct FileBrowser {
   FileRequest request = {};
   MeshFormat format = MeshFormat::kObj;  // of an export; the last one selected
   bool single_file = false;              // of an export of several meshes, likewise
+  FileKind kind = FileKind::kAll;        // of the files to open that are listed
   bool open = false;
   std::filesystem::path folder;
   std::vector<Entry> entries;     // of the folder: folders first, by name

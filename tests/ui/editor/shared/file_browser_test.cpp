@@ -31,5 +31,22 @@ TEST(FileBrowser, lists_folders_and_supported_files) {
   fs::remove_all(folder);
 }
 
+TEST(FileBrowser, lists_files_by_kind_and_creates_folders_with_free_names) {
+  for (const auto& [name, kind] :
+       {std::pair{"a.OBJ", FileKind::kMeshes}, std::pair{"b.json", FileKind::kScenes},
+        std::pair{"c.kerf", FileKind::kJournals}}) {
+    for (const FileKind other : {FileKind::kMeshes, FileKind::kScenes, FileKind::kJournals})
+      EXPECT_EQ(is_of_kind(name, other), other == kind) << name;
+    EXPECT_TRUE(is_of_kind(name, FileKind::kAll)) << name;
+  }
+  const auto folder = std::filesystem::path(testing::TempDir()) / "kerf-new-folders";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  EXPECT_EQ(make_new_folder(folder)->filename(), "New Folder");
+  EXPECT_EQ(make_new_folder(folder)->filename(), "New Folder 2");
+  EXPECT_FALSE(make_new_folder(folder / "missing"));
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -134,8 +134,11 @@ bool draw_slider(const Slider& slider, ImGuiDataType type, Number& value, Number
     const std::string shown = entry.shown(static_cast<double>(value));
     if (replaced.empty()) text = shown;
     const float em = ImGui::GetFontSize(), padding = 2 * ImGui::GetStyle().FramePadding.x;
-    float field = std::min(kValueEms * em, kMaxValueShare * width);
-    if (width_of_text(text) + padding > field) field = std::min(kLongEms * em, kMaxLongShare * width);
+    float& field = *ImGui::GetStateStorage()->GetFloatRef(id);
+    if (ImGui::GetActiveID() != id) {  // the track stays in place while it is dragged
+      field = std::min(kValueEms * em, kMaxValueShare * width);
+      if (width_of_text(text) + padding > field) field = std::min(kLongEms * em, kMaxLongShare * width);
+    }
     const float gap = 0.5f * ImGui::GetStyle().ItemSpacing.x;
     if (slider.takes_text && wants_to_type(at, field, width))
       ImGui::GetCurrentContext()->NavActivateInputId = id;

@@ -24,9 +24,10 @@ class Pieces(WindowTest):
             editor.press(key)
         editor.pause(1)
         view = editor.quit()["view"]
-        names = ("silhouette", "shadow_volumes", "shadow_counts", "shadow_facing", "shadow_compare")
+        names = ("silhouette", "shadow_counts", "shadow_facing", "shadow_compare")
         self.assertEqual(view["shadows"], "none")  # after all
         self.assertTrue(all(view[name] for name in names))
+        self.assertFalse(view["shadow_volumes"])  # the counts exclude them
 
         settings = self.settings()
         settings["panels"]["light"], settings["tab"] = True, "view"

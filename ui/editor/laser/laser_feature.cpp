@@ -392,7 +392,7 @@ class LaserFeature : public Feature {
                    {at.x + kOuter * way.x, at.y + kOuter * way.y}, colour, 1.3f);
   }
   // The outline of the beam on the plane of the face under the pointer, in screen coordinates; a circle of
-  // the smallest visible size if it is smaller. Empty beside the mesh.
+  // the smallest visible size if it is smaller. Empty next to the mesh.
   std::vector<ImVec2> ring_on_surface() const {
     const ViewState& view = workspace_.view;
     const Vec2 p = view.in_picture(workspace_.input.pointer);

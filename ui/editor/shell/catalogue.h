@@ -53,7 +53,7 @@ std::span<const MenuLayout> menu_layout();
 // Actions in no menu, under the titles that the command palette shows.
 std::span<const MenuLayout> palette_layout();
 
-// The actions of the context menu of the viewport, over a piece and beside all pieces.
+// The actions of the context menu of the viewport, over a piece and over none.
 std::span<const char* const> context_layout(bool over_piece);
 
 // The gestures in the list of shortcuts.

@@ -11,7 +11,8 @@
  * Errors: a function that can fail returns a kerf_result; kerf_last_error() then returns one sentence that
  * says what failed, where, and what to do. A null pointer is KERF_INVALID_ARGUMENT unless stated otherwise.
  * A failed call changes nothing. No exception leaves the library, and no argument ends the process except
- * an invalid pointer.
+ * an invalid pointer. `options` may be null; `out` receives the result, which kerf_mesh_destroy or
+ * kerf_world_destroy destroys.
  *
  * Structs: the first member of most is `size`, the sizeof of the caller's header. A later version appends
  * members: of a smaller struct, the library takes the defaults of the missing members and writes none of
@@ -86,8 +87,6 @@ typedef struct kerf_mesh kerf_mesh;
 /* Reads a mesh file. Welds equal positions; drops faces with an index out of range, a non-finite
  * position, or two corners at the same position.
  * path: an OBJ, PLY, STL, OFF, glTF or 3MF file; the content decides the format.
- * options: may be null.
- * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT if the file cannot be opened or parsed, or has no usable face.
  * O(file size). */
 KERF_API kerf_result kerf_mesh_read(const char* path, const kerf_call_options* options, kerf_mesh** out);
@@ -95,7 +94,6 @@ KERF_API kerf_result kerf_mesh_read(const char* path, const kerf_call_options* o
 /* Creates a mesh from arrays, which are copied. Equal positions are welded when it is added to a world.
  * vertices: vertex_count positions (m), finite; faces: face_count triples of indices < vertex_count.
  * vertex_count, face_count: 1 to 2^31.
- * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT if an array violates the above. O(n). */
 KERF_API kerf_result kerf_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, kerf_mesh** out);
@@ -127,7 +125,6 @@ KERF_API kerf_result kerf_mesh_copy_to(const kerf_mesh* mesh, const kerf_layout*
 /* Reads a mesh from the bytes of a file, like kerf_mesh_read. Files to which the bytes refer are not read.
  * format: null: the bytes decide; else "obj", "ply", "stl", "off", "glb", "gltf" or "3mf", used if they do
  *   not.
- * options: may be null.
  * Errors: KERF_INVALID_ARGUMENT for bytes that cannot be parsed, or have no usable face. O(byte_count). */
 KERF_API kerf_result kerf_mesh_decode(const void* bytes, size_t byte_count, const char* format,
                                       const kerf_call_options* options, kerf_mesh** out);
@@ -159,7 +156,6 @@ KERF_API kerf_result kerf_mesh_write(const kerf_mesh* mesh, const char* path);
 KERF_API kerf_result kerf_mesh_to_bytes(const kerf_mesh* mesh, char** out, size_t* size);
 
 /* Creates a mesh from such bytes.
- * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT for other or damaged bytes, and those of a later version. O(n). */
 KERF_API kerf_result kerf_mesh_from_bytes(const char* bytes, size_t size, kerf_mesh** out);
 
@@ -239,13 +235,11 @@ typedef uint64_t kerf_body;
  * index is used again only after an undo. */
 #define KERF_NO_FACE UINT32_MAX
 
-/* Creates an empty world. out: receives the world; destroy it with kerf_world_destroy. O(1). */
+/* Creates an empty world. O(1). */
 KERF_API kerf_result kerf_world_create(kerf_world** out);
 
 /* Creates a world from a file.
  * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.
- * options: may be null.
- * out: receives the world; destroy it with kerf_world_destroy.
  * Errors: KERF_INVALID_ARGUMENT for an invalid file. Cost: loading the meshes and replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out);
 
@@ -304,7 +298,6 @@ typedef struct kerf_body_info {
 KERF_API kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_body_info* info);
 
 /* Returns a piece of a body as a mesh in world coordinates, with its mass properties.
- * out: receives the mesh; destroy it with kerf_mesh_destroy.
  * Errors: KERF_INVALID_ARGUMENT if there is no such piece. O(n log n), and O(faces of the body). */
 KERF_API kerf_result kerf_piece_get_mesh(const kerf_world* world, kerf_body body, uint32_t piece,
                                          kerf_mesh** out);
@@ -506,7 +499,6 @@ KERF_API kerf_result kerf_world_set_undo_memory(kerf_world* world, size_t bytes)
 /* -- Pieces and faces -- */
 
 /* Returns the pieces of all bodies as meshes in world coordinates, largest area first.
- * options: may be null.
  * out: receives an array of *count meshes; free it with kerf_pieces_free. To keep a mesh, set its entry to
  *   null and destroy it with kerf_mesh_destroy.
  * O(n log n). */
@@ -633,7 +625,6 @@ typedef struct kerf_hits {
 /* Finds the first surface that each of n rays crosses.
  * origins, directions: n vectors each; finite, directions of any non-zero length.
  * range: minimum and maximum distance (m); null: 0 to infinity.
- * options: may be null.
  * out: its size is set; receives n entries.
  * Errors: KERF_INVALID_ARGUMENT for a vector or range that violates the above. About 0.4 us per ray. */
 KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins,
@@ -649,7 +640,6 @@ KERF_API kerf_result kerf_world_all_hits(const kerf_world* world, const double* 
 /* Finds the point of all surfaces nearest to each of n points.
  * points: n positions in the world (m), finite.
  * max_distance: m, >= 0; INFINITY: no limit.
- * options: may be null.
  * out: its size is set; receives n entries, misses beyond max_distance.
  * Errors: KERF_INVALID_ARGUMENT for a number that violates the above. About 2 us per point and body. */
 KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const double* points, size_t n,
@@ -659,7 +649,6 @@ KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const do
 /* Finds the faces that a box meets, also by touching it. Each has the point nearest to the centre of the box,
  * and the distance from it. Sorted by body, then by face.
  * min, max: corners in the world (m), -1e150 <= min <= max <= 1e150.
- * options: may be null.
  * out: its size is set; receives an entry per face.
  * Errors: KERF_INVALID_ARGUMENT for a number that violates the above. About 0.5 us per face within the
  * circumscribed sphere. */
@@ -688,7 +677,6 @@ KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char
 
 /* Returns a report of all cuts as JSON, with the keys of report.json of `kerf cut`; "file" is the name of
  * the piece.
- * options: may be null.
  * out: receives the text; free it with kerf_text_free. O(n log n). */
 KERF_API kerf_result kerf_world_report(const kerf_world* world, const kerf_call_options* options, char** out);
 

@@ -82,9 +82,11 @@ std::optional<double> rim_error(const World& world, const std::vector<Command>& 
     sides.clear();
     body.mesh.append_open_sides(sides);
     for (const Mesh::Side& side : sides) {
-      const double from = distance_from_boundary(sweeps, body.mesh.position(side.from));
-      const double to = distance_from_boundary(sweeps, body.mesh.position(side.to));
-      if (std::max(from, to) <= edge) error = std::max({error.value_or(0), from, to});
+      const Vec3 from = body.mesh.position(side.from), to = body.mesh.position(side.to);
+      double farthest = 0;
+      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+        farthest = std::max(farthest, distance_from_boundary(sweeps, (1 - t) * from + t * to));
+      if (farthest <= edge) error = std::max(error.value_or(0), farthest);
     }
   }
   return error;

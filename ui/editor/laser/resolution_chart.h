@@ -11,9 +11,10 @@
 namespace kerf {
 
 // Returns the largest distance [m] of the rim that the last stroke left in a world from the boundary of the
-// volume that its beam swept; nullopt if there is no rim, as in solids, whose cuts are closed by walls. Sides
-// farther away than `edge` [m] belong to earlier rims, because the stroke left no longer edges at its rim.
-// Preconditions: edge > 0; `stroke` begins with BeginStroke. O(open sides * moves).
+// volume that its beam swept, at the ends and at three points of each of its sides; nullopt if there is no
+// rim, as in solids, whose cuts are closed by walls. Sides farther away than `edge` [m] belong to earlier
+// rims, because the stroke left no longer edges at its rim. Preconditions: edge > 0; `stroke` begins with
+// BeginStroke. O(open sides * moves).
 std::optional<double> rim_error(const World& world, const std::vector<Command>& stroke, double edge);
 
 // The last stroke cut at five edge lengths, one after the other, with the faces that each created and the

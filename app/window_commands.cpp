@@ -18,6 +18,8 @@
 #include "ui/editor/editor.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/game/game.h"
+#include "ui/screen/frame_loop.h"
+#include "ui/window/gui.h"
 #include "ui/window/window.h"
 
 namespace kerf {
@@ -74,13 +76,15 @@ nlohmann::ordered_json times_of(std::vector<double> seconds) {
   return {{"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1)}};
 }
 
-// Returns "won", "lost", or "quit" if the match is not over.
+// Returns "won", "lost", "ended" if the time of a match without winner is up, or "quit" if it is not over.
 const char* result_of(const Match& match) {
   switch (match.standing().phase) {
     case Standing::Phase::kWon:
       return "won";
     case Standing::Phase::kLost:
       return "lost";
+    case Standing::Phase::kEnded:
+      return "ended";
     default:
       return "quit";
   }
@@ -129,10 +133,11 @@ class PlayRun {
     if (const Status s = write_report(match); !s) return s;
     if (const Status s = write_record(match); !s) return s;
     const Standing& standing = match.standing();
-    std::cerr << "kerf: " << result_of(match) << " after " << seconds_of_ticks(standing.ticks)
-              << " s: " << standing.score << " points, " << standing.enemies_destroyed
-              << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ") << standing.pieces
-              << " pieces\n";
+    const bool ended = standing.phase == Standing::Phase::kEnded;
+    std::cerr << "kerf: " << (ended ? "time up" : result_of(match)) << " after "
+              << seconds_of_ticks(standing.ticks) << " s: " << standing.score << " points, "
+              << standing.enemies_destroyed << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ")
+              << standing.pieces << " pieces\n";
     return Done{};
   }
 
@@ -197,24 +202,24 @@ class PlayRun {
     end_on_interrupt();
     WindowOptions window{size.width, size.height, {}};
     if (!arguments_.events.empty()) window.events = arguments_.events;
-    auto outcome = kerf::play(options, window);
-    if (!outcome) return outcome.error();
-    setup_ = outcome->last.match->setup();
-    controls_ = outcome->last.played;
-    frame_s_ = outcome->frame_seconds;
-    if (const Status s = write_report(*outcome->last.match); !s) return s;
-    if (const Status s = write_record(*outcome->last.match); !s) return s;
-    return outcome->inspect ? inspect(std::move(outcome->last), outcome->view) : Status(Done{});
-  }
-
-  // F5 in the editor returns to the match.
-  static Status inspect(SuspendedMatch left, const View& view) {
-    const auto scene = save_match_as_scene(*left.match, view);
-    if (!scene) return scene.error();
-    EditorOptions options;
-    options.default_scene = assets_folder() / "scenes" / "car.json";
-    options.files = {*scene};
-    return run_editor(options, std::move(left));
+    auto opened = open_window(window);
+    if (!opened) return opened.error();
+    Gui gui(**opened);
+    FrameLoop loop(**opened, gui);
+    auto game = WindowedGame::begin(**opened, options);
+    if (!game) return game.error();
+    game->play(loop);
+    if (!loop.fault().empty()) return bad_input(loop.fault());
+    setup_ = game->match().setup();
+    controls_ = game->played();
+    frame_s_ = game->frame_seconds();
+    if (const Status s = write_report(game->match()); !s) return s;
+    if (const Status s = write_record(game->match()); !s) return s;
+    if (!game->wants_inspection()) return Done{};
+    EditorOptions editor;
+    editor.default_scene = assets_folder() / "scenes" / "car.json";
+    editor.landmarks = options.landmarks;
+    return run_editor_after_game(std::move(editor), **opened, gui, loop, std::move(*game));
   }
 
   Status play(Match& match) {
@@ -292,8 +297,8 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--difficulty", a->difficulty,
                       "easy, normal or hard (the last setting in a window, otherwise normal)");
   add_number(*command, "--seed", a->seed, {0, kMaxSeed}, "Random seed (1)");
-  add_number(*command, "--seconds", a->seconds, {0, kMaxSeconds},
-             "Stop after this many seconds of match time; 0: no limit");
+  add_number(*command, "--seconds", a->seconds, {0.01, kMaxSeconds},
+             "Stop after this many seconds of match time (no limit)");
   command->add_flag("--headless", a->headless, "Run without a window, as fast as possible");
   command->add_option("--report", a->report, "The file for the JSON report of the match");
   command->add_option("--record", a->record, "The file for the recording (.kerf), for kerf replay");

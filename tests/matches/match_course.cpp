@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "core/base/ids.h"
+#include "core/game/match/cut_motion.h"
 #include "core/game/match/match.h"
 
 namespace kerf {
@@ -33,6 +35,43 @@ class Standstill {
   double since_ = 0, longest_ = 0;
 };
 
+// Follows parts from the tick in which they came off.
+class PartsOff {
+ public:
+  void follow(const Match& match, MatchCourse& course) {
+    const World& world = match.world();
+    const Ticks now = match.standing().ticks;
+    for (const Part& part : parts_) {
+      if (part.due > now || !world.contains(part.id) || !world.contains(part.rest)) continue;
+      ++course.parts;
+      course.moved_parts += glm::distance(place(world, part.id, part.rest), part.from) >= kMoved;
+    }
+    std::erase_if(parts_, [&](const Part& part) { return part.due <= now; });
+    for (const Detached& d : match.delta().detached) {
+      if (!world.contains(d.to) || !world.contains(d.from)) continue;
+      const Sheet& sheet = world.body(d.to).sheet;
+      if (area_of(world.body(d.to)) * sheet.thickness * sheet.density > kHeavyPart) continue;
+      parts_.push_back({d.to, d.from, place(world, d.to, d.from), now + kDue});
+    }
+  }
+
+ private:
+  static constexpr double kMoved = 0.05;  // m
+  static constexpr Ticks kDue = kTicksPerSecond * 3 / 10;
+  struct Part {
+    BodyId id, rest;
+    Vec3 from;
+    Ticks due;
+  };
+  // The centre of a body in the frame of another one.
+  static Vec3 place(const World& world, BodyId part, BodyId rest) {
+    const Body& body = world.body(part);
+    return world.body(rest).placement.to_body(middle_of(body));
+  }
+
+  std::vector<Part> parts_;
+};
+
 void record_events(const Match& match, double now, MatchCourse& course) {
   std::set<size_t> dying, beams;
   for (const Event& event : match.events()) {
@@ -40,6 +79,9 @@ void record_events(const Match& match, double now, MatchCourse& course) {
       dying.insert(event.vehicle);
       beams.insert(event.by);
     }
+    const bool own = event.vehicle == Match::kPlayer;
+    if (own && event.kind == Event::Kind::kCut && !course.first_hit) course.first_hit = now;
+    if (own && event.kind == Event::Kind::kKilled && !course.first_death) course.first_death = now;
     const bool part = event.kind == Event::Kind::kPieceOff || event.kind == Event::Kind::kWheelLost;
     if (part && event.by == Match::kPlayer && !course.first_part) course.first_part = now;
   }
@@ -48,11 +90,16 @@ void record_events(const Match& match, double now, MatchCourse& course) {
 
 }  // namespace
 
+bool outlives(const MatchCourse& course, double seconds) {
+  return !course.first_hit || !course.first_death || *course.first_death - *course.first_hit >= seconds;
+}
+
 MatchCourse play_course(const MatchSetup& setup, MatchDriver driver, double seconds) {
   Match match(setup);
   BotPlayer bot(match);
   MatchCourse course;
   Standstill standstill;
+  PartsOff parts_off;
   const auto ticks = static_cast<Ticks>(seconds * kTicksPerSecond);
   while (match.standing().ticks < ticks && !match.standing().over()) {
     match.tick(driver == MatchDriver::kBot ? bot.next(match) : Controls{});
@@ -60,6 +107,7 @@ MatchCourse play_course(const MatchSetup& setup, MatchDriver driver, double seco
     if (match.strokes() > 0 && !course.first_beam) course.first_beam = now;
     record_events(match, now, course);
     standstill.follow(match);
+    parts_off.follow(match, course);
   }
   const Standing& standing = match.standing();
   course.won = standing.phase == Standing::Phase::kWon;

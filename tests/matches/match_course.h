@@ -13,9 +13,14 @@ struct MatchCourse {
   double score = 0;
   size_t enemies_destroyed = 0, wave = 0;
   std::optional<double> first_beam, first_part;  // s: of the player, and that came off an enemy
-  size_t kills_at_once = 0;        // the most vehicles that lost a vital part in a tick by different beams
-  double longest_without_way = 0;  // s, for which the player wanted to drive and got nowhere
+  std::optional<double> first_hit, first_death;  // s: of the player's first car
+  size_t parts = 0, moved_parts = 0;  // parts up to 300 kg that came off; moved by 5 cm within 0.3 s
+  size_t kills_at_once = 0;           // the most vehicles that lost a vital part in a tick by different beams
+  double longest_without_way = 0;     // s, for which the player wanted to drive and got nowhere
 };
+
+// Returns true if the player's first car was not wrecked within this time [s] of the first hit.
+bool outlives(const MatchCourse& course, double seconds);
 
 // Who holds the controls of the player.
 enum class MatchDriver { kBot, kStill };

@@ -16,7 +16,8 @@ namespace {
 
 constexpr Difficulty kLevels[] = {Difficulty::kEasy, Difficulty::kNormal, Difficulty::kHard};
 constexpr double kStill = 60;                      // s, that a player who does nothing shall live
-constexpr double kFirstBeam = 6, kFirstPart = 20;  // s
+constexpr double kOutlives = 10;                   // s, from the first hit
+constexpr double kFirstBeam = 6, kFirstPart = 10;  // s
 
 // Calls play(i) for 0 .. count - 1, on all cores.
 template <typename Play>
@@ -74,13 +75,15 @@ void print_matches(const std::vector<MatchCourse>& courses) {
   for (size_t i = 0; i < courses.size(); ++i) {
     const MatchCourse& c = courses[i];
     std::printf(
-        "  seed %2zu: %s after %5.1f s, wave %zu, %2zu destroyed, beam %4.1f s, part %4.1f s, held %.1f s\n",
+        "  seed %2zu: %s after %5.1f s, wave %zu, %2zu destroyed, beam %4.1f s, part %4.1f s, hit %4.1f s, "
+        "death "
+        "%4.1f s, held %.1f s\n",
         i + 1,
         c.won    ? "won "
         : c.lost ? "lost"
                  : "runs",
         c.seconds, c.wave, c.enemies_destroyed, c.first_beam.value_or(-1), c.first_part.value_or(-1),
-        c.longest_without_way);
+        c.first_hit.value_or(-1), c.first_death.value_or(-1), c.longest_without_way);
   }
 }
 
@@ -97,15 +100,23 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
     at_once = std::max(at_once, c.kills_at_once);
     held = std::max(held, c.longest_without_way);
   }
-  for (const MatchCourse& c : still) alive += !c.lost;
+  size_t outlived = 0, off = 0, moved = 0;
+  for (const MatchCourse& c : bots) {
+    off += c.parts;
+    moved += c.moved_parts;
+  }
+  for (const MatchCourse& c : still) {
+    alive += !c.lost;
+    outlived += outlives(c, kOutlives);
+  }
   const size_t all = bots.size();
   std::printf(
       "%-6s  won %zu of %zu, lost after %.0f s (median), first beam within %.0f s %zu, first part within "
       "%.0f s %zu, "
-      "vital parts lost in a tick by several beams %zu, standing still alive after %.0f s %zu of %zu, held "
-      "%.1f s\n",
+      "vital parts lost in a tick by several beams %zu, standing still alive after %.0f s %zu of %zu, %.0f s "
+      "after the first hit %zu, held %.1f s, parts that moved %zu of %zu\n",
       name_of(level), won, all, median(lost), kFirstBeam, beams, kFirstPart, parts, at_once, kStill, alive,
-      still.size(), held);
+      still.size(), kOutlives, outlived, held, moved, off);
 }
 
 struct Wanted {
@@ -131,6 +142,7 @@ int run(const Wanted& wanted) {
     const auto bots = courses_of(*rules, level, MatchDriver::kBot, wanted.count, wanted.seconds);
     const auto still = courses_of(*rules, level, MatchDriver::kStill, wanted.count, kStill);
     if (wanted.each) print_matches(bots);
+    if (wanted.each) print_matches(still);
     print_level(level, bots, still);
     std::fflush(stdout);
   }

@@ -12,18 +12,19 @@
 #include "ui/editor/shell/editor_screen.h"
 #include "ui/game/game_settings.h"
 #include "ui/screen/frame_loop.h"
+#include "ui/window/gui.h"
 #include "ui/window/window.h"
 
 namespace kerf {
 
 namespace {
 
-// The games of an editor session. A suspended match is resumed.
+// The games of an editor session. A game that was left to inspect its world is resumed.
 class Games {
  public:
   Games(Window& window, FrameLoop& loop, EditorScreen& screen, const EditorOptions& options,
-        SuspendedMatch left)
-      : window_(window), loop_(loop), screen_(screen), options_(options), left_(std::move(left)) {}
+        std::optional<WindowedGame> game)
+      : window_(window), loop_(loop), screen_(screen), options_(options), game_(std::move(game)) {}
 
   // Runs the game and passes its result to the editor.
   void play() {
@@ -45,17 +46,15 @@ class Games {
  private:
   Status begin() {
     GameOptions options;
-    if (!left_.match) {
-      auto rules = load_rules(assets_folder() / "games" / "standard.json");
-      if (!rules) return rules.error();
-      options.setup.rules = std::move(*rules);
-      options.setup.seed = std::random_device()();
-    }
+    auto rules = load_rules(assets_folder() / "games" / "standard.json");
+    if (!rules) return rules.error();
+    options.setup.rules = std::move(*rules);
+    options.setup.seed = std::random_device()();
     options.look = screen_.look();
     options.from_editor = true;
     options.starts = true;
     options.landmarks = options_.landmarks;
-    auto game = WindowedGame::begin(window_, options, std::exchange(left_, {}));
+    auto game = WindowedGame::begin(window_, options);
     if (!game) return game.error();
     game_.emplace(std::move(*game));
     return Done{};
@@ -65,7 +64,6 @@ class Games {
   FrameLoop& loop_;
   EditorScreen& screen_;
   const EditorOptions& options_;
-  SuspendedMatch left_;
   std::optional<WindowedGame> game_;
 };
 
@@ -75,6 +73,29 @@ Pose laser_pose(const Match& match) {
   if (own.gun.works()) return muzzle_pose(match.world(), own);
   const Placement& chassis = match.world().body(own.chassis).placement;
   return {chassis.to_world(own.what().turret.barrel.pivot), chassis.orientation * Vec3(0, 0, 1)};
+}
+
+Status run_in_window(const EditorOptions& options, LoadedSettings loaded, Window& window, Gui& gui,
+                     FrameLoop& loop, std::optional<WindowedGame> game) {
+  const std::string fault = loaded.fault;
+  auto picture = LivePicture::create();
+  if (!picture) return picture.error();
+  EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
+  gui.dress(screen.look());
+  if (const Status shown = screen.open(); !shown) return shown;
+  screen.report_error(fault);
+  bool left_by_user = loop.run(screen);
+  Games games(window, loop, screen, options, std::move(game));
+  while (left_by_user && screen.wants_game()) {
+    games.play();
+    left_by_user = loop.run(screen);
+  }
+  screen.close(left_by_user);
+  if (!loop.fault().empty()) return bad_input(loop.fault());
+  if (!options.report) return Done{};
+  return write_file_atomically(
+      *options.report,
+      screen.report().dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -90,38 +111,30 @@ Result<std::filesystem::path> save_match_as_scene(const Match& match, const View
   const Pose laser = laser_pose(match);
   Emitter emitter;
   emitter.place(laser.origin, laser.origin + match.rules().description.laser.range / 4 * laser.direction);
-  set_head_entry(scene, kEmitterKey, emitter_entry(emitter));
+  nlohmann::json entry = emitter_entry(emitter);
+  const Interval& radius = match.rules().description.laser.radius;
+  entry["radius"] = 0.5 * (radius.low + radius.high);
+  set_head_entry(scene, kEmitterKey, entry);
   return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
 }
 
-Status run_editor(const EditorOptions& options, SuspendedMatch left) {
+Status run_editor(const EditorOptions& options) {
   LoadedSettings loaded = read_settings(settings_file());
-  const std::string fault = loaded.fault;
   WindowOptions wanted{options.width, options.height, options.events};
   if (wanted.width == 0) wanted = {loaded.settings.width, loaded.settings.height, options.events};
   auto opened = open_window(wanted);
   if (!opened) return opened.error();
-  Window& window = **opened;
-  auto picture = LivePicture::create();
-  if (!picture) return picture.error();
-  Gui gui(window);
-  FrameLoop loop(window, gui);
-  EditorScreen screen(window, std::move(*picture), std::move(loaded), options);
-  gui.dress(screen.look());
-  if (const Status shown = screen.open(); !shown) return shown;
-  screen.report_error(fault);
-  bool left_by_user = loop.run(screen);
-  Games games(window, loop, screen, options, std::move(left));
-  while (left_by_user && screen.wants_game()) {
-    games.play();
-    left_by_user = loop.run(screen);
-  }
-  screen.close(left_by_user);
-  if (!loop.fault().empty()) return bad_input(loop.fault());
-  if (!options.report) return Done{};
-  return write_file_atomically(
-      *options.report,
-      screen.report().dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  Gui gui(**opened);
+  FrameLoop loop(**opened, gui);
+  return run_in_window(options, std::move(loaded), **opened, gui, loop, std::nullopt);
+}
+
+Status run_editor_after_game(EditorOptions options, Window& window, Gui& gui, FrameLoop& loop,
+                             WindowedGame game) {
+  const auto scene = save_match_as_scene(game.match(), game.view());
+  if (!scene) return scene.error();
+  options.files = {*scene};
+  return run_in_window(options, read_settings(settings_file()), window, gui, loop, std::move(game));
 }
 
 }  // namespace kerf

@@ -356,7 +356,9 @@ Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl
   const Sight sight(match.world());
   const auto sighted = sighted_part(match, sight, aim_of(last));
   gui.draw(picture, [&] {
-    draw_hud({match, screen.hud, view, sight, aim_of(last), width, false, "", sighted});
+    HudView hud{match, screen.hud, view, sight, aim_of(last), width};
+    hud.sighted = sighted;
+    draw_hud(hud);
   });
   return Done{};
 }

@@ -14,7 +14,6 @@ namespace kerf {
 class FrameLoop;
 class GameScreen;
 class Window;
-struct WindowOptions;
 
 struct GameOptions {
   MatchSetup setup;
@@ -27,46 +26,31 @@ struct GameOptions {
   std::optional<std::filesystem::path> landmarks;  // see EditorOptions
 };
 
-// A suspended match, which can be resumed.
-struct SuspendedMatch {
-  std::unique_ptr<Match> match;
-  std::vector<Controls> played;  // by tick of the match
-};
-
-struct GameOutcome {
-  SuspendedMatch last;  // its match is not null
-  std::vector<double> frame_seconds;
-  bool inspect = false;  // the player wants to inspect the world
-  View view;             // of the player
-};
-
 // A game in an existing window. It can be left to inspect its world, and resumed.
 class WindowedGame {
  public:
-  // The window must outlive it. Fails if a shader is missing or does not compile. Begins with the pause
-  // menu of a suspended match, if there is one.
-  static Result<WindowedGame> begin(Window& window, const GameOptions& options, SuspendedMatch left = {});
+  // The window must outlive it. Fails if a shader is missing or does not compile.
+  static Result<WindowedGame> begin(Window& window, const GameOptions& options);
   ~WindowedGame();
   WindowedGame(WindowedGame&&) noexcept;
   WindowedGame& operator=(WindowedGame&&) noexcept;
 
-  // Runs the game until the player leaves. Another call resumes it, with the menu that was open.
+  // Runs the game until the player leaves. Another call resumes it with everything that was on the screen:
+  // the match, its pause menu or its result.
   void play(FrameLoop& loop);
 
   bool wants_inspection() const;
   GuiLook look() const;
   const Match& match() const;
   View view() const;
-  // Precondition: play() is not called again.
-  GameOutcome outcome();
+  // The controls of every tick since the match began.
+  const std::vector<Controls>& played() const;
+  // The durations of all frames [s].
+  const std::vector<double>& frame_seconds() const;
 
  private:
   explicit WindowedGame(std::unique_ptr<GameScreen> screen);
   std::unique_ptr<GameScreen> screen_;
 };
-
-// Plays in its own window. Fails like WindowedGame::begin() and open_window(), and at an invalid line of
-// the script.
-Result<GameOutcome> play(const GameOptions& options, const WindowOptions& window);
 
 }  // namespace kerf

@@ -1,6 +1,8 @@
 #include "ui/game/game_menu.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <array>
 
 #include "core/base/assert.h"
@@ -57,6 +59,24 @@ void draw_settings(const MenuView& view) {
   mark_last_item("guide");
   ImGui::Checkbox("Camera Shake", &s.shake);
   ImGui::Checkbox("Show FPS", &s.show_speed);
+}
+
+// A row for each action: its name, its key, which a click replaces, and its button of a gamepad.
+void draw_keys(KeyBindings& bindings, std::optional<GameAction>& rebound) {
+  for (size_t i = 0; i < kGameActions; ++i) {
+    const auto action = static_cast<GameAction>(i);
+    const ActionKeys& keys = action_keys(action);
+    const float em = ImGui::GetFontSize();
+    const std::string label =
+        (rebound == action ? "Press a key..." : key_label(bindings[i])) + "##" + keys.id;
+    if (ImGui::Button(label.c_str(), {7.5f * em, 0})) rebound = action;
+    mark_last_item((std::string("key ") + keys.id).c_str());
+    ImGui::SameLine();
+    ImGui::TextUnformatted(keys.label);
+    ImGui::SameLine(15 * em);
+    ImGui::TextDisabled("%s", keys.pad_label);
+  }
+  if (ImGui::Button("Reset Keys")) bindings = default_bindings();
 }
 
 void draw_views(ViewOptions& look) {
@@ -125,6 +145,25 @@ void begin_menu(const char* name, float across, float min_width) {
   ImGui::Begin(name, nullptr, kFixed);
 }
 
+void end_menu() {
+  ImGui::NavMoveRequestTryWrapping(ImGui::GetCurrentWindow(), ImGuiNavMoveFlags_LoopY);
+  ImGui::End();
+}
+
+void set_menu_navigation(bool on) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Tab] = on ? -1 : GLFW_KEY_TAB;
+  io.ConfigFlags = on ? io.ConfigFlags | ImGuiConfigFlags_NavEnableGamepad
+                      : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableGamepad;
+  io.BackendFlags =
+      on ? io.BackendFlags | ImGuiBackendFlags_HasGamepad : io.BackendFlags & ~ImGuiBackendFlags_HasGamepad;
+}
+
+bool is_menu_navigated() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.NavId != 0 && !context.NavDisableHighlight;
+}
+
 void menu_heading(const char* text, float scale) {
   ImGui::SetWindowFontScale(scale);
   ImGui::TextUnformatted(text);
@@ -167,9 +206,28 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   if (menu_button(view.ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::Spacing();
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
-  if (ImGui::CollapsingHeader("Debug Views")) draw_views(view.view);
-  ImGui::End();
+  if (ImGui::CollapsingHeader("Keys")) draw_keys(view.settings.keys, view.rebound);
+  mark_last_item("keys");
+  ImGui::Checkbox("Debug Views", &view.settings.debug_views);
+  mark_last_item("debug views");
+  if (view.settings.debug_views) draw_views(view.view);
+  end_menu();
   return choice;
+}
+
+MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing) {
+  KERF_ASSERT(choice == MenuChoice::kRestart || choice == MenuChoice::kTitle || choice == MenuChoice::kLeave);
+  MenuChoice answer = MenuChoice::kNone;
+  const bool restarts = choice == MenuChoice::kRestart;
+  dim_match();
+  begin_menu("Confirm", 0.5f);
+  menu_heading(restarts ? "Restart the match?" : "Leave the match?");
+  ImGui::Text("Wave %zu and %.0f points will be lost.", standing.wave + 1, standing.score);
+  ImGui::Spacing();
+  if (menu_button("Cancel (Esc)", "cancel")) answer = MenuChoice::kCancel;
+  if (menu_button(restarts ? "Restart" : "Leave", "confirm")) answer = choice;
+  end_menu();
+  return answer;
 }
 
 MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways) {
@@ -179,10 +237,12 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   begin_menu("Result", 0.04f);
   menu_heading(result.won ? "Won" : result.ended ? "Time is up" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
-  ImGui::Text("Score %.0f", result.score.score);
+  static constexpr std::array kMedals{"", ", bronze medal", ", silver medal", ", gold medal"};
+  ImGui::Text("Score %.0f%s", result.score.score, kMedals.at(result.medal));
   ImGui::TextUnformatted(words_on_course(result).c_str());
   ImGui::Spacing();
-  draw_scores(result.scores, "High Scores: " + result.score.rules + ", " + result.score.difficulty,
+  const std::string& level = result.score.difficulty;
+  draw_scores(result.scores, "High Scores: " + result.score.rules + (level.empty() ? "" : ", " + level),
               result.rank, !result.ended);
   if (menu_button("Play Again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
@@ -194,7 +254,7 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
   if (ways.starts && menu_button("Change Mode, Difficulty or Car", "title")) choice = MenuChoice::kTitle;
   if (menu_button(ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
-  ImGui::End();
+  end_menu();
   return choice;
 }
 
@@ -202,8 +262,9 @@ MenuChoice draw_start_menu(const StartView& view) {
   GameSettings& s = view.settings;
   MenuChoice choice = MenuChoice::kNone;
   begin_menu("Start", 0.04f, 27);
-  menu_heading("Kerf", 2.6f);
-  ImGui::TextUnformatted("Your car has a laser. Anything that you cut falls off.");
+  const bool small = ImGui::GetIO().DisplaySize.y < 36 * ImGui::GetFontSize();
+  menu_heading("Kerf", small ? 1.3f : 2.6f);
+  if (!small) ImGui::TextUnformatted("Your car has a laser. Anything that you cut falls off.");
   ImGui::Spacing();
   bool other = draw_choice("Mode", s.mode, kModeTitles);
   ImGui::TextWrapped("%s", kModeSummaries[static_cast<size_t>(s.mode)]);
@@ -211,17 +272,19 @@ MenuChoice draw_start_menu(const StartView& view) {
   if (s.mode == GameMode::kWaves)
     other = draw_choice("Difficulty", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
   other = draw_choice("Car", s.vehicle, kVehicleTitles) || other;
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
+  if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
+  ImGui::PopStyleColor();
+  ImGui::SetItemDefaultFocus();
+  if (menu_button("Tutorial", "lesson")) choice = MenuChoice::kLesson;
+  if (menu_button(view.from_editor ? "Back to Editor (Esc)" : "Quit (Esc)", "leave"))
+    choice = MenuChoice::kLeave;
+  ImGui::Spacing();
   ImGui::TextDisabled("How to Wreck a Car");
   ImGui::TextWrapped("%s", "Cut out its engine or driver's seat. Cut through a hub to take off the wheel.");
   ImGui::Spacing();
   draw_scores(view.scores, "High Scores", 0, s.mode == GameMode::kWaves);
-  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
-  if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
-  ImGui::PopStyleColor();
-  if (menu_button("Tutorial", "lesson")) choice = MenuChoice::kLesson;
-  if (menu_button(view.from_editor ? "Back to Editor (Esc)" : "Quit (Esc)", "leave"))
-    choice = MenuChoice::kLeave;
-  ImGui::End();
+  end_menu();
   return choice == MenuChoice::kNone && other ? MenuChoice::kOther : choice;
 }
 

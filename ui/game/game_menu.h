@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ void menu_heading(const char* text, float scale = 1.5f);
 // Draws a button as wide as the menu, with the landmark `landmark`. Returns true if it was pressed.
 bool menu_button(const char* label, const char* landmark);
 
+// Switches the navigation of menus by NavInputs of ImGui on or off; while it is on, Tab is not ImGui's.
+void set_menu_navigation(bool on);
+
+// Returns true if the focus of a menu is visible, because the player moved it.
+bool is_menu_navigated();
+
 // Draws a list of scores, best first; nothing for an empty list. `now`: rank of the finished match, from 1;
 // 0: none. `fights`: matches of this mode are won or lost.
 void draw_scores(const std::vector<HighScore>& scores, const std::string& title, size_t now, bool fights);
@@ -33,7 +40,8 @@ enum class MenuChoice {
   kTitle,  // to the menu before a match
   kStart,
   kLesson,
-  kOther,  // another mode or car was selected in the menu before a match
+  kOther,   // another mode or car was selected in the menu before a match
+  kCancel,  // the question before the choice was declined
   kLeave
 };
 
@@ -49,12 +57,17 @@ struct MenuView {
   GuiLook& look;
   ViewOptions& view;  // its switches are the debug views
   LeavingWays ways;
+  std::optional<GameAction>& rebound;  // the action whose next key the menu waits for
 };
 
 MenuChoice draw_pause_menu(const MenuView& view);
 
+// Asks whether to restart or leave a match. Returns `choice`, kCancel or kNone.
+MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing);
+
 struct MatchResult {
   bool won = false;
+  size_t medal = 0;    // 1 bronze, 2 silver, 3 gold; 0: none
   bool ended = false;  // neither won nor lost, without enemies
   std::string why;     // reason of the end, as a sentence
   HighScore score;

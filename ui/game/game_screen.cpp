@@ -7,7 +7,6 @@
 
 #include "core/base/assert.h"
 #include "core/game/match/recording.h"
-#include "ui/window/gui.h"
 #include "ui/window/number_text.h"
 #include "ui/window/window.h"
 
@@ -17,17 +16,23 @@ namespace {
 
 constexpr double kMaxFrame = 0.25;   // s
 constexpr double kSlowMotion = 0.5;  // s, when an enemy falls in two
+constexpr double kHitStop = 0.05;    // s, when a part comes off
+constexpr double kKillcam = 1.5;     // s
 constexpr double kAfterEnd = 3;      // s, in slow motion, until the result
 constexpr double kHardImpact = 9;    // m/s, of a crash with the maximum shake
 constexpr double kGuideSeconds = 14;
 constexpr double kNoticedSpeed = 0.9;  // of real time; shown if it is slower
 constexpr double kFrameShare = 0.1;    // weight of the last frame in the average of the shown rate
 constexpr double kReplayView = 50;     // degrees
+constexpr int kMenuFrames = 4;         // until a menu has shown an input
 constexpr double kSeenAhead = 8;       // m, distance of the point about which the editor orbits
+
+// The other matches end with their time, or not at all.
+bool has_difficulties(const Rules& rules) { return !rules.waves.empty() && !rules.description.targets; }
 
 }  // namespace
 
-GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options, SuspendedMatch left)
+GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options)
     : window_(window),
       picture_(std::move(picture)),
       options_(std::move(options)),
@@ -37,9 +42,7 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
   if (options_.selected_difficulty) asked_difficulty_ = settings_.difficulty = options_.setup.difficulty;
   if (options_.landmarks || window.script() != nullptr)
     keep_landmarks(&landmarks_.emplace(options_.landmarks));
-  if (left.match) {
-    go_on_with(std::move(left));
-  } else if (options_.starts) {
+  if (options_.starts) {
     go_to_start();
   } else {
     start();
@@ -48,6 +51,7 @@ GameScreen::GameScreen(Window& window, MatchPicture picture, GameOptions options
 
 void GameScreen::resume() {
   leave_ = Leave::kStay;
+  window_.set_title("Kerf");
   if (landmarks_) keep_landmarks(&*landmarks_);
 }
 
@@ -57,6 +61,7 @@ View GameScreen::view() const {
 }
 
 GameScreen::~GameScreen() {
+  set_menu_navigation(false);
   window_.catch_pointer(false);
   if (landmarks_) keep_landmarks(nullptr);
 }
@@ -64,17 +69,6 @@ GameScreen::~GameScreen() {
 void GameScreen::start() {
   begin_match();
   enter(State::kPlaying);
-}
-
-void GameScreen::go_on_with(SuspendedMatch left) {
-  options_.setup = left.match->setup();
-  match_ = std::move(left.match);
-  played_ = std::move(left.played);
-  picture_.show(*match_);
-  guide_ = false;
-  follow_player();
-  camera_.follow(*match_, aim(), 0);
-  enter(State::kPaused);
 }
 
 void GameScreen::begin_match() {
@@ -88,6 +82,8 @@ void GameScreen::begin_match() {
   hud_.clear();
   result_.reset();
   killer_ = Event::kNobody;
+  killcam_.reset();
+  steady_.reset();
   replay_.reset();
   replay_shown_ = false;
   score_log_ = ScoreLog();
@@ -104,6 +100,10 @@ void GameScreen::enter(State state) {
   window_.catch_pointer(caught);
   if (!caught) sounds_.hush();
   input_.release_all();
+  if (caught) input_.take_held_keys(window_, settings_.keys);
+  asked_ = MenuChoice::kNone;
+  rebound_.reset();
+  frames_due_ = kMenuFrames;
   const GameSettings keep = settings_to_keep(settings_, saved_, asked_difficulty_);
   if (keep == saved_) return;
   saved_ = keep;
@@ -123,49 +123,144 @@ Vec3 GameScreen::aim() const {
 
 void GameScreen::handle_input(const Input& input) {
   if (input.close) leave_ = Leave::kAway;
+  frames_due_ = input.events.empty() ? std::max(0, frames_due_ - 1) : kMenuFrames;
+  // Keys before a change of the state are not for the new one.
+  const State before = state_;
   for (const InputEvent& event : input.events) {
-    if (event.kind == InputEvent::Kind::kKey && !event.again) handle_key(event.button);
+    if (event.kind == InputEvent::Kind::kKey && !event.again) handle_key(event);
   }
-  if (state_ != State::kPlaying) return;
-  input_.handle_events(input.events, settings_);
-  input_.poll(window_, ImGui::GetIO().DeltaTime, settings_);
+  handle_gamepad();
+  if (state_ != State::kPlaying || before != State::kPlaying) return;
+  GameSettings scaled = settings_;
+  scaled.sensitivity *= steady_.aim_factor();
+  input_.handle_events(input.events, scaled);
   if (!window_.has_focus()) enter(State::kPaused);
 }
 
-void GameScreen::handle_key(int key) {
-  switch (key) {
-    case GLFW_KEY_ESCAPE:
-    case GLFW_KEY_P:
+// In menus the buttons of a gamepad are keys.
+void GameScreen::handle_gamepad() {
+  static constexpr std::pair<int, int> kMenuKeys[] = {{GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP},
+                                                      {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN},
+                                                      {GLFW_GAMEPAD_BUTTON_DPAD_LEFT, GLFW_KEY_LEFT},
+                                                      {GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, GLFW_KEY_RIGHT},
+                                                      {GLFW_GAMEPAD_BUTTON_A, GLFW_KEY_SPACE},
+                                                      {GLFW_GAMEPAD_BUTTON_B, GLFW_KEY_ESCAPE},
+                                                      {GLFW_GAMEPAD_BUTTON_X, GLFW_KEY_R},
+                                                      {GLFW_GAMEPAD_BUTTON_Y, GLFW_KEY_B},
+                                                      {GLFW_GAMEPAD_BUTTON_START, GLFW_KEY_P}};
+  static constexpr int kUpgradeButtons[] = {GLFW_GAMEPAD_BUTTON_DPAD_LEFT, GLFW_GAMEPAD_BUTTON_DPAD_UP,
+                                            GLFW_GAMEPAD_BUTTON_DPAD_RIGHT};
+  const auto pad = read_gamepad();
+  has_gamepad_ = pad.has_value();
+  if (!pad) return;
+  const GamepadState last = std::exchange(pad_, *pad);
+  const auto is_new = [&](int button) { return pad->is_pressed(button) && !last.is_pressed(button); };
+  if (state_ == State::kPlaying) {
+    const bool friction =
+        settings_.aim_help && own_vehicle().alive && is_near_part(*match_, Sight(match_->world()), aim());
+    const double seconds = ImGui::GetIO().DeltaTime * steady_.aim_factor();
+    input_.apply_gamepad(*pad, seconds, settings_, friction);
+    for (uint8_t i = 0; i < Controls::kUpgrades; ++i) {
+      if (can_upgrade() && is_new(kUpgradeButtons[i])) input_.select_upgrade(static_cast<uint8_t>(i + 1));
+    }
+    for (const auto action : {GameAction::kCamera, GameAction::kGuide, GameAction::kPause}) {
+      if (is_new(action_keys(action).pad)) handle_action(action);
+    }
+    return;
+  }
+  for (const auto& [button, key] : kMenuKeys) {
+    InputEvent event;
+    event.button = key;
+    if (is_new(button)) handle_key(event);
+  }
+}
+
+bool GameScreen::can_upgrade() const {
+  return state_ == State::kPlaying && match_->standing().phase == Standing::Phase::kPause &&
+         !match_->has_upgraded();
+}
+
+// Passes a key of a menu to the navigation of ImGui.
+void GameScreen::navigate(int key, int mods) {
+  const bool back = (mods & GLFW_MOD_SHIFT) != 0;
+  const auto input = [&]() -> std::optional<int> {
+    switch (key) {
+      case GLFW_KEY_TAB:
+        return back ? ImGuiNavInput_DpadUp : ImGuiNavInput_DpadDown;
+      case GLFW_KEY_UP:
+        return ImGuiNavInput_DpadUp;
+      case GLFW_KEY_DOWN:
+        return ImGuiNavInput_DpadDown;
+      case GLFW_KEY_LEFT:
+        return ImGuiNavInput_DpadLeft;
+      case GLFW_KEY_RIGHT:
+        return ImGuiNavInput_DpadRight;
+      case GLFW_KEY_ENTER:
+      case GLFW_KEY_KP_ENTER:
+      case GLFW_KEY_SPACE:
+        return ImGuiNavInput_Activate;
+      default:
+        return std::nullopt;
+    }
+  }();
+  if (input) navigation_[static_cast<size_t>(*input)] = 1;
+  frames_due_ = kMenuFrames;
+}
+
+void GameScreen::handle_key(const InputEvent& event) {
+  const int key = event.button;
+  if (rebound_) {
+    if (key != GLFW_KEY_ESCAPE) bind(*rebound_, key, settings_.keys);
+    return rebound_.reset();
+  }
+  if (can_upgrade() && key >= GLFW_KEY_1 && key < GLFW_KEY_1 + Controls::kUpgrades)
+    return input_.select_upgrade(static_cast<uint8_t>(1 + key - GLFW_KEY_1));
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) {
+    if (!settings_.debug_views || state_ == State::kOver || state_ == State::kStart) return;
+    const std::string done = press_digit(static_cast<char>('0' + (key - GLFW_KEY_0)), picture_.look());
+    if (!done.empty()) hud_.note(done);
+    return;
+  }
+  if (state_ == State::kPlaying) {
+    if (lesson_ && (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)) return end_lesson();
+    const auto action = action_of_key(key, settings_.keys);
+    return action ? handle_action(*action) : void();
+  }
+  if (key == GLFW_KEY_ESCAPE) return escape();
+  if (state_ == State::kPaused && action_of_key(key, settings_.keys) == GameAction::kPause) return escape();
+  if (asked_ != MenuChoice::kNone) return navigate(key, event.mods);
+  if (key == GLFW_KEY_R && state_ != State::kStart) return take(MenuChoice::kRestart);
+  if (key == GLFW_KEY_B && state_ == State::kOver) return begin_replay();
+  const bool is_enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_P;
+  if (is_enter && state_ == State::kStart && !is_menu_navigated()) return begin_selected();
+  navigate(key, event.mods);
+}
+
+void GameScreen::handle_action(GameAction action) {
+  switch (action) {
+    case GameAction::kPause:
       return escape();
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      if (state_ == State::kStart) return begin_selected();
-      if (lesson_ && state_ == State::kPlaying) end_lesson();
-      return;
-    case GLFW_KEY_R:
-      if (state_ != State::kPlaying && state_ != State::kStart) start();
-      return;
-    case GLFW_KEY_B:
-      if (state_ == State::kOver) begin_replay();
-      return;
-    case GLFW_KEY_G:
-      if (state_ != State::kPlaying || match_->standing().over() || !match_->is_disabled()) return;
-      return input_.give_up();
-    case GLFW_KEY_C:
+    case GameAction::kCamera:
       camera_.viewpoint = camera_.viewpoint == Viewpoint::kRoof ? Viewpoint::kChase : Viewpoint::kRoof;
       return camera_.cut();
-    case GLFW_KEY_H:
+    case GameAction::kGuide:
       guide_ = !guide_;
       return;
     default:
-      if (key < GLFW_KEY_0 || key > GLFW_KEY_9 || state_ == State::kOver || state_ == State::kStart) return;
-      const std::string done = press_digit(static_cast<char>('0' + (key - GLFW_KEY_0)), picture_.look());
-      if (!done.empty()) hud_.note(done);
+      return;
   }
 }
 
 // Skips the slow motion at the end and the replay.
 void GameScreen::escape() {
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
+    navigation_[ImGuiNavInput_Cancel] = 1;
+    return;
+  }
+  if (asked_ != MenuChoice::kNone) {
+    asked_ = MenuChoice::kNone;
+    return;
+  }
   if (state_ == State::kStart) {
     leave_ = Leave::kAway;
     return enter(state_);
@@ -177,25 +272,31 @@ void GameScreen::escape() {
 
 // Update
 
+void GameScreen::advance_playing(double seconds) {
+  if (settings_.aim_help && !bot_) input_.help(*match_, Sight(match_->world()), seconds);
+  steady_.advance(input_.is_steady_held() && own_vehicle().alive, seconds);
+  clock_.set_pace(steady_.time_factor());
+  const int ticks = clock_.advance(seconds);
+  for (int i = 0; i < ticks && !match_->settled(); ++i) tick();
+  hud_.advance(seconds);
+  played_seconds_ += seconds;
+  killcam_left_ = std::max(0.0, killcam_left_ - seconds);
+  if (killcam_ && killcam_left_ > 0) killcam_->follow(*match_, seconds);
+  if (played_seconds_ > kGuideSeconds) guide_ = false;
+  if (match_->standing().over()) go_on_after_the_end(seconds);
+  if (lesson_ && lesson_->done()) end_lesson();
+}
+
 void GameScreen::advance() {
   const double seconds = std::min<double>(ImGui::GetIO().DeltaTime, kMaxFrame);
-  if (state_ == State::kPlaying) {
-    if (settings_.aim_help && !bot_) input_.help(*match_, Sight(match_->world()), seconds);
-    const int ticks = clock_.advance(seconds);
-    for (int i = 0; i < ticks && !match_->settled(); ++i) tick();
-    hud_.advance(seconds);
-    played_seconds_ += seconds;
-    if (played_seconds_ > kGuideSeconds) guide_ = false;
-    if (match_->standing().over()) go_on_after_the_end(seconds);
-    if (lesson_ && lesson_->done()) end_lesson();
-  }
+  if (state_ == State::kPlaying) advance_playing(seconds);
   if (state_ == State::kStart) {
     picture_.advance(*match_, seconds);
     start_shown_ += seconds;
   } else if (state_ == State::kOver && replay_) {
     advance_replay(seconds);
   } else if (state_ != State::kPaused) {
-    picture_.advance(*match_, clock_.is_slow() ? 0.25 * seconds : seconds);
+    picture_.advance(*match_, clock_.pace() * seconds);
     const Vec3 aim = this->aim();
     camera_.follow(*match_, aim, seconds);
     if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume);
@@ -214,18 +315,34 @@ void GameScreen::tick() {
   match_->tick(played_.back());
   bool new_wave = false;
   for (const Event& event : match_->events()) {
-    const bool own = event.vehicle == Match::kPlayer;
-    if (event.kind == Event::Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
-    if (event.kind == Event::Kind::kImpact && own && settings_.shake) camera_.shake(event.size / kHardImpact);
-    if (event.kind == Event::Kind::kKilled && own) killer_ = event.by;
+    follow_event(event);
     new_wave = new_wave || event.kind == Event::Kind::kWaveBegins;
   }
   score_log_.on_tick(*match_);
   hud_.on_tick(*match_);
   sounds_.on_tick(*match_);
   picture_.follow(*match_);
-  if (new_wave) follow_player();
+  if (new_wave) {
+    follow_player();
+    killcam_.reset();
+  }
   if (lesson_ && lesson_->on_tick(*match_)) hud_.note("well done");
+}
+
+// All of this is a matter of the screen: the match runs on unchanged.
+void GameScreen::follow_event(const Event& event) {
+  using Kind = Event::Kind;
+  const bool own = event.vehicle == Match::kPlayer;
+  const bool is_off =
+      event.kind == Kind::kPieceOff || event.kind == Kind::kWheelLost || event.kind == Kind::kTurretLost;
+  if (is_off && event.points > 0) clock_.stop(kHitStop);
+  if (event.kind == Kind::kInHalves && !own) clock_.slow_down(kSlowMotion);
+  if (event.kind == Kind::kImpact && own && settings_.shake) camera_.shake(event.size / kHardImpact);
+  if (event.kind != Kind::kKilled || !own) return;
+  killer_ = event.by;
+  if (killer_ == Match::kPlayer || killer_ >= match_->vehicles().size()) return;
+  killcam_.emplace(killer_, 0);
+  killcam_left_ = kKillcam;
 }
 
 // The vehicle is another one, or repaired.
@@ -236,15 +353,20 @@ void GameScreen::follow_player() {
 
 void GameScreen::finish() {
   const Standing& standing = match_->standing();
+  KERF_ASSERT(!result_);
   MatchResult result;
   result.won = standing.phase == Standing::Phase::kWon;
   result.why = end_reason(*match_, killer_);
   result.wheels_lost = standing.wheels_lost;
-  result.pieces = standing.pieces;
-  result.score = {standing.score, match_->rules().description.name, name_of(match_->setup().difficulty),
+  result.pieces = standing.pieces_cut;
+  const std::string difficulty = has_difficulties(match_->rules()) ? name_of(match_->setup().difficulty) : "";
+  result.score = {standing.score, match_->rules().description.name, difficulty,
                   result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
+  for (const double medal : match_->rules().description.scores.medals)
+    result.medal += standing.score >= medal;
   result.ended = standing.phase == Standing::Phase::kEnded;
-  if (!result.ended || match_->rules().description.targets) {
+  const bool counts = !result.ended || (match_->rules().description.targets && standing.score > 0);
+  if (counts) {
     if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
   }
   result.scores = high_scores_of(result.score.rules, result.score.difficulty, high_scores_file());
@@ -257,7 +379,7 @@ void GameScreen::finish() {
 
 void GameScreen::begin_replay() {
   const auto moment = score_log_.best();
-  if (!moment) return;
+  if (!moment || (result_ && result_->ended && !(moment->points > 0))) return;
   replay_ = std::make_unique<MatchReplay>(match_->setup(), *moment, played_);
   if (replay_shown_) picture_.show(*match_);
   replay_shown_ = false;
@@ -282,13 +404,30 @@ void GameScreen::advance_replay(double seconds) {
 
 const Match& GameScreen::shown() const { return replay_shown_ ? replay_->match() : *match_; }
 
+// A match that has begun in earnest is not thrown away by one press.
+bool GameScreen::loses_progress(MenuChoice choice) const {
+  const bool leaves =
+      choice == MenuChoice::kRestart || choice == MenuChoice::kTitle || choice == MenuChoice::kLeave;
+  const Standing& standing = match_->standing();
+  return leaves && state_ == State::kPaused && !lesson_ && (standing.wave > 0 || standing.score > 0);
+}
+
 void GameScreen::take(MenuChoice choice) {
+  if (asked_ == MenuChoice::kNone && loses_progress(choice)) {
+    asked_ = choice;
+    frames_due_ = kMenuFrames;
+    return;
+  }
   switch (choice) {
     case MenuChoice::kNone:
+      return;
+    case MenuChoice::kCancel:
+      asked_ = MenuChoice::kNone;
       return;
     case MenuChoice::kResume:
       return enter(State::kPlaying);
     case MenuChoice::kRestart:
+      if (lesson_) return begin_lesson();
       ++options_.setup.seed;
       return start();
     case MenuChoice::kTitle:
@@ -318,7 +457,8 @@ CameraView GameScreen::camera_view() const {
   const double aspect = size.y > 0 ? size.x / size.y : 1;
   if (state_ == State::kStart) return start_view(*match_, start_shown_, aspect, kReplayView);
   if (replay_shown_) return replay_->camera().view(aspect, kReplayView);
-  return camera_.view(aspect, settings_.field_of_view);
+  if (killcam_ && killcam_left_ > 0 && killcam_left_ < kKillcam) return killcam_->view(aspect, kReplayView);
+  return camera_.view(aspect, settings_.field_of_view * steady_.view_factor());
 }
 
 void GameScreen::outline_sighted(const std::optional<SightedPart>& part) {
@@ -328,6 +468,17 @@ void GameScreen::outline_sighted(const std::optional<SightedPart>& part) {
   const Body& body = match_->world().body(part->body);
   for (uint32_t label = 0; label < body.pieces.size(); ++label) {
     if (body.pieces[label].faces > 0) pieces[{part->body, label}].selected = true;
+  }
+}
+
+// Parts that the player can take glow like the sighted one.
+void GameScreen::outline_loot() {
+  auto& pieces = picture_.look().pieces;
+  for (const Match::LootPart& part : match_->loot()) {
+    const Body& body = match_->world().body(part.body);
+    for (uint32_t label = 0; label < body.pieces.size(); ++label) {
+      if (body.pieces[label].faces > 0) pieces[{part.body, label}].selected = true;
+    }
   }
 }
 
@@ -350,11 +501,15 @@ void GameScreen::draw() {
   std::optional<SightedPart> part;
   if (plays && own_vehicle().alive) part = sighted_part(*match_, sight, aim());
   outline_sighted(part);
+  if (plays) outline_loot();
   picture_.draw(shown(), view, whole, presets_.select(settings_.preset), resolution_.share());
   if (plays) {
     HudView hud{*match_, hud_, view, sight, aim()};
     hud.width = input_.width();
-    hud.guide = guide_ && state_ == State::kPlaying;
+    hud.steady = &steady_;
+    if (guide_ && state_ == State::kPlaying)
+      hud.guide = guide_lines(settings_.keys, !match_->rules().spawns.empty());
+    hud.next_car_key = key_label(settings_.keys[static_cast<size_t>(GameAction::kNextCar)]);
     hud.machine = words_on_speed();
     hud.sighted = part;
     if (lesson_) hud.task = lesson_->task(*match_);
@@ -370,7 +525,8 @@ void GameScreen::draw_menu() {
     case State::kStart:
       return take(draw_start_menu({settings_, scores_, options_.from_editor}));
     case State::kPaused:
-      return take(draw_pause_menu({settings_, options_.look, picture_.look(), ways()}));
+      if (asked_ != MenuChoice::kNone) return take(draw_confirmation(asked_, match_->standing()));
+      return take(draw_pause_menu({settings_, options_.look, picture_.look(), ways(), rebound_}));
     case State::kOver:
       if (!result_) return;
       return take(draw_result(*result_, replay_ ? replay_->state() : MatchReplay::State::kOver, ways()));
@@ -378,6 +534,9 @@ void GameScreen::draw_menu() {
 }
 
 void GameScreen::drawn() {
+  set_menu_navigation(state_ != State::kPlaying && leave_ == Leave::kStay);
+  std::ranges::copy(navigation_, ImGui::GetIO().NavInputs);
+  navigation_.fill(0);
   if (!landmarks_) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
   (void)landmarks_->finish(state_ == State::kPlaying, {at.x, at.y});
@@ -406,8 +565,8 @@ void GameScreen::go_to_start() {
 void GameScreen::show_choice() {
   load(load_mode(settings_.mode, settings_.vehicle));
   begin_match();
-  scores_ =
-      high_scores_of(match_->rules().description.name, name_of(settings_.difficulty), high_scores_file());
+  const std::string difficulty = has_difficulties(match_->rules()) ? name_of(settings_.difficulty) : "";
+  scores_ = high_scores_of(match_->rules().description.name, difficulty, high_scores_file());
 }
 
 // If a file of the game is missing or invalid, the current rules stay.
@@ -442,10 +601,10 @@ WindowedGame::~WindowedGame() = default;
 WindowedGame::WindowedGame(WindowedGame&&) noexcept = default;
 WindowedGame& WindowedGame::operator=(WindowedGame&&) noexcept = default;
 
-Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options, SuspendedMatch left) {
+Result<WindowedGame> WindowedGame::begin(Window& window, const GameOptions& options) {
   auto picture = MatchPicture::create();
   if (!picture) return picture.error();
-  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options, std::move(left)));
+  return WindowedGame(std::make_unique<GameScreen>(window, std::move(*picture), options));
 }
 
 void WindowedGame::play(FrameLoop& loop) {
@@ -458,27 +617,7 @@ GuiLook WindowedGame::look() const { return screen_->look(); }
 const Match& WindowedGame::match() const { return screen_->match(); }
 View WindowedGame::view() const { return screen_->view(); }
 
-GameOutcome WindowedGame::outcome() {
-  GameOutcome outcome;
-  outcome.inspect = wants_inspection();
-  outcome.view = view();
-  outcome.frame_seconds = screen_->frame_seconds();
-  outcome.last.played = screen_->played();
-  outcome.last.match = screen_->take_match();
-  return outcome;
-}
-
-Result<GameOutcome> play(const GameOptions& options, const WindowOptions& wanted) {
-  auto opened = open_window(wanted);
-  if (!opened) return opened.error();
-  Window& window = **opened;
-  Gui gui(window);
-  FrameLoop loop(window, gui);
-  auto game = WindowedGame::begin(window, options);
-  if (!game) return game.error();
-  game->play(loop);
-  if (!loop.fault().empty()) return bad_input(loop.fault());
-  return game->outcome();
-}
+const std::vector<Controls>& WindowedGame::played() const { return screen_->played(); }
+const std::vector<double>& WindowedGame::frame_seconds() const { return screen_->frame_seconds(); }
 
 }  // namespace kerf

@@ -26,7 +26,7 @@ class GameScreen : public Screen {
   enum class Leave { kStay, kAway, kInspect };
 
   // The window must outlive it. Precondition: an ImGui context is current.
-  GameScreen(Window& window, MatchPicture picture, GameOptions options, SuspendedMatch left);
+  GameScreen(Window& window, MatchPicture picture, GameOptions options);
   ~GameScreen() override;
   GameScreen(const GameScreen&) = delete;
   GameScreen& operator=(const GameScreen&) = delete;
@@ -36,8 +36,6 @@ class GameScreen : public Screen {
   void resume();
   View view() const;
   const Match& match() const { return *match_; }
-  // Precondition: the screen is over and is not used afterwards.
-  std::unique_ptr<Match> take_match() { return std::move(match_); }
   // The controls of every tick since the match began.
   const std::vector<Controls>& played() const { return played_; }
   const std::vector<double>& frame_seconds() const { return frame_seconds_; }
@@ -48,16 +46,16 @@ class GameScreen : public Screen {
   void draw() override;
   void drawn() override;
   void took(const FrameTime& time) override;
-  bool moving() const override { return state_ != State::kPaused; }
+  bool moving() const override { return state_ != State::kPaused || frames_due_ > 0 || has_gamepad_; }
   bool over() const override { return leave_ != Leave::kStay; }
   std::optional<std::string> answer(const std::string& what) const override;
 
  private:
   enum class State { kStart, kPlaying, kPaused, kOver };
+  static constexpr size_t kNavigation = 8;  // up to ImGuiNavInput_DpadDown
 
   void start();
   void begin_match();
-  void go_on_with(SuspendedMatch left);
   void go_to_start();
   void show_choice();
   void begin_selected();
@@ -66,8 +64,16 @@ class GameScreen : public Screen {
   void load(Result<std::shared_ptr<const Rules>> rules);
   LeavingWays ways() const { return {options_.from_editor, options_.starts}; }
   void enter(State state);
-  void handle_key(int key);
+  void handle_key(const InputEvent& event);
+  void handle_action(GameAction action);
+  void handle_gamepad();
+  bool can_upgrade() const;
+  void outline_loot();
+  void navigate(int key, int mods);
+  bool loses_progress(MenuChoice choice) const;
   void tick();
+  void follow_event(const Event& event);
+  void advance_playing(double seconds);
   void follow_player();
   void go_on_after_the_end(double seconds);
   void finish();
@@ -106,13 +112,22 @@ class GameScreen : public Screen {
   HudState hud_;
   MatchSounds sounds_;
   std::optional<MatchResult> result_;
+  MenuChoice asked_ = MenuChoice::kNone;         // waits for confirmation
+  std::optional<GameAction> rebound_;            // waits for its new key
+  std::array<float, kNavigation> navigation_{};  // inputs of ImGui for the next frame
+  int frames_due_ = 0;                           // of a menu at rest
+  GamepadState pad_;                             // at the last frame
+  bool has_gamepad_ = false;
   std::optional<Landmarks> landmarks_;
   std::vector<Controls> played_;
   std::vector<double> frame_seconds_;
   State state_ = State::kPlaying;
   Leave leave_ = Leave::kStay;
+  SteadyAim steady_;
   size_t killer_ = Event::kNobody;  // whose beam wrecked the player's car
-  double after_end_ = 0;            // s in real time since the end of the match
+  std::optional<ReplayCamera> killcam_;
+  double killcam_left_ = 0;  // s
+  double after_end_ = 0;     // s in real time since the end of the match
   bool guide_ = true;
   double played_seconds_ = 0;
   double frame_s_ = 0;  // average

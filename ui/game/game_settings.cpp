@@ -25,8 +25,22 @@ constexpr std::array kPresets{"automatic", "low", "medium", "high"};
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool same_game(const HighScore& a, const HighScore& b) {
-  return a.rules == b.rules && a.difficulty == b.difficulty;
+// A game without difficulties has an empty one.
+bool is_of_game(const HighScore& score, const std::string& rules, const std::string& difficulty) {
+  return score.rules == rules && (difficulty.empty() || score.difficulty == difficulty);
+}
+
+void describe_keys(KeptFields& f, KeyBindings& keys) {
+  nlohmann::json written = nlohmann::json::object();
+  for (size_t i = 0; i < kGameActions; ++i) written[action_keys(static_cast<GameAction>(i)).id] = keys[i];
+  f.any("keys", written, [&](const nlohmann::json& value) {
+    if (!value.is_object()) return;
+    for (size_t i = 0; i < kGameActions; ++i) {
+      const auto at = value.find(action_keys(static_cast<GameAction>(i)).id);
+      if (at != value.end() && at->is_number_integer())
+        bind(static_cast<GameAction>(i), at->get<int>(), keys);
+    }
+  });
 }
 
 HighScore score_from(const nlohmann::json& json) {
@@ -60,6 +74,8 @@ static void describe(KeptFields& f, GameSettings& s) {
   f.flag("show_speed", s.show_speed);
   f.flag("shake", s.shake);
   f.flag("taught", s.taught);
+  f.flag("debug_views", s.debug_views);
+  describe_keys(f, s.keys);
   f.choice("mode", s.mode, kModeNames);
   f.choice("vehicle", s.vehicle, kVehicleNames);
   f.choice("difficulty", s.difficulty, kDifficulties);
@@ -116,14 +132,18 @@ std::vector<HighScore> read_high_scores(const fs::path& file) {
 
 Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
   std::vector<HighScore> scores = read_high_scores(file);
-  const auto better = [&](const HighScore& s) { return same_game(s, score) && s.score >= score.score; };
+  const auto better = [&](const HighScore& s) {
+    return is_of_game(s, score.rules, score.difficulty) && s.score >= score.score;
+  };
   const size_t rank = 1 + static_cast<size_t>(std::count_if(scores.begin(), scores.end(), better));
   if (rank > kMaxHighScores) return size_t{0};
   scores.push_back(score);
   std::stable_sort(scores.begin(), scores.end(),
                    [](const HighScore& a, const HighScore& b) { return a.score > b.score; });
   size_t kept = 0;
-  std::erase_if(scores, [&](const HighScore& s) { return same_game(s, score) && ++kept > kMaxHighScores; });
+  std::erase_if(scores, [&](const HighScore& s) {
+    return is_of_game(s, score.rules, score.difficulty) && ++kept > kMaxHighScores;
+  });
   Json json{{"version", 1}, {"scores", Json::array()}};
   for (const HighScore& s : scores)
     json["scores"].push_back({{"score", s.score},
@@ -145,7 +165,7 @@ Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
 std::vector<HighScore> high_scores_of(const std::string& rules, const std::string& difficulty,
                                       const std::filesystem::path& file) {
   std::vector<HighScore> scores = read_high_scores(file);
-  std::erase_if(scores, [&](const HighScore& s) { return s.rules != rules || s.difficulty != difficulty; });
+  std::erase_if(scores, [&](const HighScore& s) { return !is_of_game(s, rules, difficulty); });
   return scores;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/game/match/rules.h"
+#include "ui/game/game_actions.h"
 
 namespace kerf {
 
@@ -43,10 +44,12 @@ struct GameSettings {
   double field_of_view = 62;  // degrees, vertical
   double volume = 0.7;        // 0 .. 1
   bool aim_help = true;
-  bool guide = true;        // shows the guide at the beginning of a match
-  bool show_speed = false;  // shows frames per second
-  bool shake = true;        // camera shake in crashes
-  bool taught = false;      // the tutorial was finished or skipped
+  bool guide = true;         // shows the guide at the beginning of a match
+  bool show_speed = false;   // shows frames per second
+  bool shake = true;         // camera shake in crashes
+  bool taught = false;       // the tutorial was finished or skipped
+  bool debug_views = false;  // the keys 1 to 9 switch them
+  KeyBindings keys = default_bindings();
   Difficulty difficulty = Difficulty::kNormal;
   GameMode mode = GameMode::kWaves;
   OwnVehicle vehicle = OwnVehicle::kHatchback;
@@ -89,7 +92,7 @@ std::filesystem::path high_scores_file();
 // Reads the scores, best first. A missing file gives none; a damaged one is renamed with ".bad" appended.
 std::vector<HighScore> read_high_scores(const std::filesystem::path& file);
 
-// Returns the scores with these rules and this difficulty.
+// Returns the scores with these rules and this difficulty; with an empty one, those of all difficulties.
 std::vector<HighScore> high_scores_of(const std::string& rules, const std::string& difficulty,
                                       const std::filesystem::path& file);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <ranges>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -12,65 +12,11 @@
 
 namespace kerf {
 
-const char* name_of_vital(const VehicleDescription& vehicle, size_t vital) {
-  return vehicle.vitals[vital].kind == VitalDescription::Kind::kEngine ? "engine" : "driver's seat";
-}
-
-std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel) {
-  std::string name = vehicle.wheels[wheel].part;  // "wheel_front_left"
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name.starts_with("wheel ") ? name.substr(6) + " wheel" : name;
-}
-
-std::string end_reason(const Match& match, size_t killer) {
-  KERF_ASSERT(match.standing().over());
-  if (match.standing().phase == Standing::Phase::kWon) return "All enemies wrecked";
-  const Vehicle& own = match.vehicles()[Match::kPlayer];
-  if (own.alive) return match.seconds_left() > 0 ? "You gave up" : "Time is up";
-  const bool known = killer != Match::kPlayer && killer < match.vehicles().size();
-  const std::string by = known ? " by the " + match.vehicles()[killer].what().name : "";
-  for (size_t i = 0; i < own.vital_works.size(); ++i) {
-    if (!own.vital_works[i]) return "Your " + std::string(name_of_vital(own.what(), i)) + " was cut off" + by;
-  }
-  return "Your car was cut to pieces" + by;
-}
-
 namespace {
 
-constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;
-constexpr double kAgain = 1.5;  // s, within which a repeated event shares the line of the last one
-constexpr size_t kMaxNotices = 6;
-constexpr double kHurtFade = 1.6, kBiteFade = 6;  // 1/s
-
-using Kind = Event::Kind;
-
-void begin_with_capital(std::string& text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-}
-
-constexpr double kAhead = 14, kReached = 3;  // m, destination ahead, and radius in which it counts as reached
-constexpr size_t kEnough = 60;               // faces, of a drum that is not cut in two
-
-// The place of a body: the middle of its remaining part.
-Vec3 place_of(const Match& match, BodyId id) { return middle_of(match.world().body(id)); }
-
-// Returns the nearest body that can be cut and is no larger than a drum.
-BodyId nearest_drum(const Match& match, const Vec3& from) {
-  constexpr double kLargest = 1.5;  // m, of the diagonal
-  BodyId nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const BodyId id : match.world().ids()) {
-    const Body& body = match.world().body(id);
-    const bool serves = !match.is_wall(id) && match.vehicle_of(id) == Event::kNobody &&
-                        body.tree.leaf_count() > 0 &&
-                        glm::length(body.bounds().max - body.bounds().min) < kLargest;
-    const double distance = glm::distance(middle_of(body), from);
-    if (!serves || distance >= least) continue;
-    least = distance;
-    nearest = id;
-  }
-  return nearest;
-}
+constexpr double kPulses = 2.5;   // 1/s
+constexpr double kFlyHeight = 3;  // em, of points
+constexpr double kNearEye = 0.2;  // m
 
 // Minimum size of the window [em]; in a smaller one the text is scaled down.
 constexpr float kMinWide = 50, kMinHigh = 32;
@@ -134,6 +80,12 @@ void draw_bars(const HudView& view, const HudPaint& paint) {
   paint.bar({x, y}, width, "energy", gun.energy, colours::kPictureText, false);
   paint.bar({x, y + 1.2f * paint.em()}, width, "heat", gun.heat, gun.overheated ? kBad : colours::accent(),
             true);
+  const double boost = own(view).boost;
+  if (boost < 1)
+    paint.bar({x, y - 2.4f * paint.em()}, width, "boost", boost, colours::kPictureSecondary, true);
+  if (view.steady != nullptr && view.steady->left() < 1)
+    paint.bar({x, y - 1.2f * paint.em()}, width, "steady", view.steady->left(), colours::kPictureSecondary,
+              false);
   if (gun.overheated)
     paint.text({x + width + 0.6f * paint.em(), y + 0.9f * paint.em()}, "OVERHEATED", kBad, 0.9f);
 }
@@ -189,7 +141,8 @@ void draw_vehicle_sketch(const Vehicle& vehicle, const HudPaint& paint, ImVec2 m
   for (size_t i = 0; i < vitals; ++i) {
     const Vec3& at = vehicle.model->vital_centres[i];
     const bool engine = vehicle.what().vitals[i].kind == VitalDescription::Kind::kEngine;
-    const double w = engine ? 0.34 : 0.2, l = engine ? 0.24 : 0.22;
+    const double left = vehicle.vital_works[i] ? std::sqrt(std::clamp(vehicle.vital_left[i], 0.0, 1.0)) : 1;
+    const double w = left * (engine ? 0.34 : 0.2), l = left * (engine ? 0.24 : 0.22);
     box(paint, plan(at.x - w, at.z - l), plan(at.x + w, at.z + l), colours::kPictureSecondary,
         vehicle.vital_works[i]);
   }
@@ -230,26 +183,30 @@ std::string words_on_wave(const Match& match) {
 void draw_score(const HudView& view, const HudPaint& paint) {
   const Standing& standing = view.match.standing();
   const float em = paint.em();
-  paint.text({1.2f * em, 0.9f * em}, number(standing.score), kText, 2);
+  paint.plate_text({1.2f * em, 0.9f * em}, number(standing.score), kText, 2);
   const size_t waves = view.match.rules().waves.size();
   if (waves == 0 || view.task) return;
-  paint.text({1.2f * em, 3.1f * em}, words_on_wave(view.match), kSecondary, 0.95f);
+  paint.plate_text({1.2f * em, 3.1f * em}, words_on_wave(view.match), kSecondary, 0.95f);
   const double left = view.match.seconds_left();
-  paint.text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
-             Align::kRight);
+  paint.plate_text({paint.size().x - 1.2f * em, 0.9f * em}, clock_text(left), left < 30 ? kBad : kText, 2,
+                   Align::kRight);
   size_t enemies = 0;
   for (size_t i = 1; i < view.match.vehicles().size(); ++i) enemies += view.match.vehicles()[i].alive;
-  paint.text({paint.size().x - 1.2f * em, 3.1f * em},
-             std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
-             Align::kRight);
+  paint.plate_text({paint.size().x - 1.2f * em, 3.1f * em},
+                   std::to_string(enemies) + (enemies == 1 ? " enemy" : " enemies"), kSecondary, 0.95f,
+                   Align::kRight);
 }
 
 void draw_state(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
-  if (!view.machine.empty()) paint.text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
+  if (!view.machine.empty()) paint.plate_text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
+  if (view.match.standing().phase == Standing::Phase::kPause && !view.match.has_upgraded())
+    paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y},
+                     "Upgrade: 1 cooler laser, 2 faster charging, 3 armour", kText, 1.3f, Align::kMiddle);
   if (view.match.is_disabled())
-    paint.text({0.5f * paint.size().x, 0.42f * paint.size().y}, "Laser lost: press G to take your next car",
-               kBad, 1.4f, Align::kMiddle);
+    paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y},
+                     "Laser lost: press " + view.next_car_key + " to take your next car", kBad, 1.4f,
+                     Align::kMiddle);
 }
 
 // An arrow on a circle around the middle, pointing to an off-screen place.
@@ -266,8 +223,22 @@ void draw_arrow(const HudView& view, const HudPaint& paint, const Vec3& to, ImU3
   const ImVec2 side(cosine * 0.45f * em, sine * 0.45f * em);
   paint.list().AddTriangleFilled(tip, {base.x + side.x, base.y + side.y}, {base.x - side.x, base.y - side.y},
                                  colour);
-  paint.text({base.x - sine * 1.2f * em, base.y + cosine * 1.2f * em - 0.5f * em}, text, colour, 0.8f,
-             Align::kMiddle);
+  paint.plate_text({base.x - sine * 1.2f * em, base.y + cosine * 1.2f * em - 0.5f * em}, text, colour, 0.8f,
+                   Align::kMiddle);
+}
+
+// A triangle over an enemy with its distance; an outline if something hides the enemy.
+void draw_marker(const HudPaint& paint, ImVec2 tip, const std::string& text, bool seen) {
+  const float em = paint.em();
+  const ImVec2 left(tip.x - 0.35f * em, tip.y - 0.55f * em), right(tip.x + 0.35f * em, tip.y - 0.55f * em);
+  if (seen) {
+    paint.list().AddTriangleFilled(tip, left, right, kBad);
+  } else {
+    paint.line(tip, left, kBad, 1.5f);
+    paint.line(left, right, kBad, 1.5f);
+    paint.line(right, tip, kBad, 1.5f);
+  }
+  paint.plate_text({tip.x, tip.y - 1.9f * em}, text, seen ? kText : kSecondary, 0.8f, Align::kMiddle);
 }
 
 void draw_enemies(const HudView& view, const HudPaint& paint) {
@@ -282,14 +253,31 @@ void draw_enemies(const HudView& view, const HudPaint& paint) {
       draw_arrow(view, paint, at, kBad, text);
       continue;
     }
-    const bool in_sight = view.sighted && view.sighted->vehicle == i;
-    if (in_sight || !sees_vehicle(view.match, view.sight, view.camera.eye, i)) continue;
-    const auto above = on_screen(view, paint, at + Vec3(0, 1.4, 0));
-    if (!above) continue;
-    const float em = paint.em();
-    paint.list().AddTriangleFilled({above->x, above->y}, {above->x - 0.35f * em, above->y - 0.55f * em},
-                                   {above->x + 0.35f * em, above->y - 0.55f * em}, kBad);
-    paint.text({above->x, above->y - 1.7f * em}, text, kText, 0.8f, Align::kMiddle);
+    if (view.sighted && view.sighted->vehicle == i) continue;
+    if (const auto above = on_screen(view, paint, at + Vec3(0, 1.4, 0)))
+      draw_marker(paint, *above, text, sees_vehicle(view.match, view.sight, view.camera.eye, i));
+  }
+}
+
+// Thin lines along the lasers that are about to fire for the first time.
+void draw_warnings(const HudView& view, const HudPaint& paint) {
+  const double range = view.match.rules().description.laser.range;
+  for (size_t i = 1; i < view.match.vehicles().size(); ++i) {
+    const Vehicle& enemy = view.match.vehicles()[i];
+    if (!enemy.is_announcing()) continue;
+    const Pose pose = muzzle_pose(view.match.world(), enemy);
+    const auto hit = view.sight.nearest(pose, range, [&](BodyId id) { return !enemy.has(id); });
+    const double length = hit ? hit->length : range;
+    // The part before the eye: depth along the line is linear.
+    const double depth = glm::dot(pose.origin - view.camera.eye, view.camera.forward);
+    const double deeper = glm::dot(pose.direction, view.camera.forward);
+    double from = 0, to = length;
+    if (depth + from * deeper < kNearEye) from = deeper > 0 ? (kNearEye - depth) / deeper : length;
+    if (depth + to * deeper < kNearEye) to = deeper < 0 ? (kNearEye - depth) / deeper : 0;
+    if (!(from < to)) continue;
+    const auto a = on_screen(view, paint, pose.origin + from * pose.direction);
+    const auto b = on_screen(view, paint, pose.origin + to * pose.direction);
+    if (a && b) paint.line(*a, *b, kBad, 1.5f);
   }
 }
 
@@ -300,7 +288,7 @@ void draw_sighted(const HudView& view, const HudPaint& paint) {
   const Vehicle& enemy = view.match.vehicles()[view.sighted->vehicle];
   if (const auto at = on_screen(view, paint, view.sighted->at)) {
     const std::string distance = number(glm::distance(view.sighted->at, view.camera.eye)) + " m";
-    paint.text({at->x + 1.6f * em, at->y - 0.5f * em}, view.sighted->name, kText, 1);
+    paint.plate_text({at->x + 1.6f * em, at->y - 0.5f * em}, view.sighted->name, kText, 1);
     paint.text({at->x + 1.6f * em, at->y + 0.6f * em}, distance, kSecondary, 0.8f);
   }
   const ImVec2 middle(paint.size().x - 4.2f * em, 5.6f * em + 0.5f * height);
@@ -309,6 +297,15 @@ void draw_sighted(const HudView& view, const HudPaint& paint) {
   draw_vehicle_sketch(enemy, paint, middle, height);
   paint.text({middle.x, middle.y + 0.5f * height + 0.4f * em}, enemy.what().name, kSecondary, 0.9f,
              Align::kMiddle);
+}
+
+// An arc around the reticle on the side of an attacker; `angle` is to the right of the view [rad].
+void draw_hit_ring(const HudPaint& paint, double angle, ImU32 colour) {
+  const ImVec2 middle(0.5f * paint.size().x, 0.5f * paint.size().y);
+  const auto towards = static_cast<float>(angle - 0.5 * kPi), half = 0.5f;
+  ImDrawList& list = paint.list();
+  list.PathArcTo(middle, 4 * paint.em(), towards - half, towards + half, 24);
+  list.PathStroke(colour, 0, 0.5f * paint.em());
 }
 
 // Highlights the border of the screen in the direction of the hit.
@@ -329,24 +326,54 @@ void draw_hurt(const HudView& view, const HudPaint& paint) {
     const ImU32 at_left = right > 0 ? none : colour, at_right = right > 0 ? colour : none;
     list.AddRectFilledMultiColor({x, 0}, {x + wide, size.y}, at_left, at_right, at_right, at_left);
   }
-  draw_arrow(view, paint, view.state.hurt_from(), HudPaint::faded(kBad, view.state.hurt()), "hit");
+  draw_hit_ring(paint, std::atan2(right, ahead), HudPaint::faded(kBad, view.state.hurt()));
+}
+
+// Pulses around the parts of enemies that a steady aim can reach.
+void draw_pulses(const HudView& view, const HudPaint& paint) {
+  if (view.steady == nullptr || !view.steady->is_on()) return;
+  const double range = view.match.rules().description.laser.range;
+  const double beat = 0.5 + 0.5 * std::sin(2 * kPi * kPulses * view.state.clock());
+  const ImU32 colour = HudPaint::faded(colours::accent(), 0.4 + 0.6 * beat);
+  for (size_t i = 1; i < view.match.vehicles().size(); ++i) {
+    const Vehicle& enemy = view.match.vehicles()[i];
+    if (!enemy.alive || !sees_vehicle(view.match, view.sight, view.camera.eye, i)) continue;
+    for (const Vec3& part : parts_to_cut(enemy)) {
+      const Vec3 place = in_world(view.match.world(), enemy, part);
+      const auto at = on_screen(view, paint, place);
+      if (!at || glm::distance(place, view.camera.eye) > range) continue;
+      paint.circle(*at, paint.em() * static_cast<float>(0.35 + 0.2 * beat), colour, 2);
+    }
+  }
 }
 
 void draw_notices(const HudView& view, const HudPaint& paint) {
   const float em = paint.em();
   float y = 0.36f * paint.size().y, y_large = 0.2f * paint.size().y;
-  for (const Notice& n : view.state.notices()) {
+  for (const Notice& n : view.state.notices() | std::views::reverse) {
     const double opacity = std::min(1.0, 3 * (n.large ? 2.2 - n.age : 3.2 - n.age));
     const ImU32 colour = HudPaint::faded(n.good ? kText : kBad, opacity);
     const std::string times = n.times > 1 ? "  x" + std::to_string(n.times) : "";
     const std::string points = times + (n.points > 0 ? "  +" + number(n.points) : "");
     if (n.large) {
-      paint.text({0.5f * paint.size().x, y_large}, n.text + points, colour, 2.4f, Align::kMiddle);
-      y_large += 3 * em;
+      paint.plate_text({0.5f * paint.size().x, y_large}, n.text + points, colour, 2.4f, Align::kMiddle);
+      y_large += 3.1f * em;
       continue;
     }
-    paint.text({paint.size().x - 1.2f * em, y}, n.text + points, colour, 1, Align::kRight);
-    y += 1.4f * em;
+    paint.plate_text({paint.size().x - 1.2f * em, y}, n.text + points, colour, 1, Align::kRight);
+    y += 1.6f * em;
+  }
+}
+
+void draw_points(const HudView& view, const HudPaint& paint) {
+  for (const FlyingPoints& p : view.state.points()) {
+    const auto at = on_screen(view, paint, p.at);
+    if (!at) continue;
+    const double share = p.age / FlyingPoints::kSeconds;
+    const ImU32 colour = HudPaint::faded(colours::accent(), std::min(1.0, 3 * (1 - share)));
+    const std::string combo = p.combo > 1 ? "  x" + std::to_string(p.combo) : "";
+    const auto rise = static_cast<float>(kFlyHeight * share * (2 - share)) * paint.em();
+    paint.text({at->x, at->y - rise}, "+" + number(p.points) + combo, colour, 1.5f, Align::kMiddle);
   }
 }
 
@@ -369,16 +396,11 @@ void draw_task(const HudView& view, const HudPaint& paint) {
   paint.text({at->x, at->y - 4.2f * em}, distance, kText, 0.9f, Align::kMiddle);
 }
 
-void draw_guide(const HudPaint& paint, bool spawns) {
+void draw_guide(const HudPaint& paint, const std::vector<std::string>& lines) {
   static constexpr float kLine = 1.45f;  // em
-  std::vector<const char*> lines{"WASD: drive. Space: handbrake",
-                                 "Mouse: aim. Left button: fire. Wheel: beam width",
-                                 "Cut off enemy wheels, lasers, engines and driver's seats",
-                                 "C: switch camera", "Esc: pause. H: hide help"};
-  if (spawns) lines.insert(lines.end() - 1, "V: spawn car");
   const float em = paint.em();
   float width = 0;
-  for (const char* line : lines) width = std::max(width, paint.width_of(line, 1));
+  for (const std::string& line : lines) width = std::max(width, paint.width_of(line, 1));
   const float x = 0.5f * paint.size().x, y = 1.5f * em;
   paint.shade({x - 0.5f * width - em, y - 0.6f * em},
               {x + 0.5f * width + em, y + (kLine * static_cast<float>(lines.size()) + 0.2f) * em});
@@ -388,151 +410,6 @@ void draw_guide(const HudPaint& paint, bool spawns) {
 
 }  // namespace
 
-void HudState::clear() {
-  notices_.clear();
-  hurt_ = biting_ = 0;
-}
-
-void HudState::add_line(std::string text, double points, bool good, bool large) {
-  begin_with_capital(text);
-  if (!notices_.empty() && notices_.front().text == text && notices_.front().age < kAgain) {
-    Notice& same = notices_.front();
-    ++same.times;
-    same.points += points;
-    same.age = 0;
-    return;
-  }
-  notices_.push_front({std::move(text), points, 1, 0, good, large});
-  if (notices_.size() > kMaxNotices) notices_.pop_back();
-}
-
-void HudState::advance(double seconds) {
-  for (Notice& n : notices_) n.age += seconds;
-  std::erase_if(notices_, [](const Notice& n) { return n.age > (n.large ? kLargeSeconds : kNoticeSeconds); });
-  hurt_ = std::max(0.0, hurt_ - kHurtFade * seconds);
-  biting_ = std::max(0.0, biting_ - kBiteFade * seconds);
-}
-
-void HudState::on_tick(const Match& match) {
-  for (const Event& event : match.events()) on_event(match, event);
-}
-
-void HudState::on_event(const Match& match, const Event& event) {
-  // A wave that begins in the tick of the event replaces the vehicles.
-  const bool known = event.vehicle < match.vehicles().size();
-  const bool own = event.vehicle == Match::kPlayer;
-  const VehicleDescription* what = known ? &match.vehicles()[event.vehicle].what() : nullptr;
-  const std::string whose = own ? "your " : what ? "the " + what->name + "'s " : "";
-  switch (event.kind) {
-    case Kind::kCut:
-      if (own && event.by < match.vehicles().size()) {
-        hurt_ = 1;
-        hurt_from_ = match.world().body(match.vehicles()[event.by].chassis).placement.position;
-      } else if (event.by == Match::kPlayer && known) {
-        biting_ = 1;
-      }
-      return;
-    case Kind::kPieceOff:
-      if (event.points > 0) add_line("piece cut", event.points, true);
-      return;
-    case Kind::kWheelLost:
-      if (!what || event.part >= what->wheels.size()) return add_line("a wheel came off", event.points, !own);
-      return add_line(
-          own ? whose + name_of_wheel(*what, event.part) + " came off" : name_of_wheel(*what, event.part),
-          event.points, !own);
-    case Kind::kTurretLost:
-    case Kind::kBarrelLost:
-      return add_line(own || !what ? whose + "laser came off" : what->name + " disarmed", event.points, !own);
-    case Kind::kVitalLost:
-      if (!what || event.part >= what->vitals.size())
-        return add_line("a part was cut off", event.points, !own);
-      return add_line((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
-                          (own ? "" : " cut out"),
-                      event.points, !own);
-    case Kind::kInHalves:
-      return add_line(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
-    case Kind::kKilled:
-      return add_line(own ? "you're wrecked" : (what ? what->name : "enemy") + " wrecked", event.points, !own,
-                      true);
-    case Kind::kOverheated:
-      if (own) add_line("laser overheated", 0, false);
-      return;
-    case Kind::kRighted:
-      if (own) add_line("back on your wheels", 0, true);
-      return;
-    case Kind::kCleanPart:
-      return add_line("clean cut", event.points, true);
-    case Kind::kCarLost:
-      return add_line(event.part == 0 ? "last car" : "next car", 0, false, true);
-    case Kind::kWaveBegins:
-      if (match.rules().description.targets) return;
-      return add_line("wave " + std::to_string(event.part + 1), 0, true, true);
-    case Kind::kWaveCleared:
-      return add_line("wave cleared", event.points, true, true);
-    case Kind::kWon:
-    case Kind::kLost:
-      return add_line(end_reason(match), 0, event.kind == Kind::kWon, true);
-    case Kind::kImpact:
-      return;
-  }
-}
-
-Lesson::Lesson(const Match& match) {
-  const Placement& own = match.world().body(match.vehicles()[Match::kPlayer].chassis).placement;
-  place_ = own.to_world({0, 0, kAhead});
-  drum_ = nearest_drum(match, place_);
-}
-
-std::optional<Lesson::Task> Lesson::task(const Match& match) const {
-  switch (step_) {
-    case Step::kDrive:
-      return Task{"Drive to the marker (WASD or arrow keys)", place_};
-    case Step::kDrum:
-      return Task{"Aim with the mouse and hold the left button to cut the drum in half",
-                  place_of(match, drum_)};
-    case Step::kWheel:
-      return Task{"Get within 18 m of this car and sweep the beam through a wheel hub",
-                  place_of(match, match.vehicles().back().chassis)};
-    case Step::kDone:
-      break;
-  }
-  return std::nullopt;
-}
-
-bool Lesson::is_done(const Match& match) {
-  const Vehicle& own = match.vehicles()[Match::kPlayer];
-  switch (step_) {
-    case Step::kDrive:
-      return glm::distance(match.world().body(own.chassis).placement.position, place_) < kReached;
-    case Step::kDrum:
-      for (const Event& e : match.events()) {
-        if (e.kind == Event::Kind::kCut && e.body == drum_) drum_faces_ += static_cast<size_t>(e.size);
-      }
-      return !drum_.valid() || !match.world().contains(drum_) || drum_faces_ > kEnough ||
-             std::ranges::any_of(match.delta().detached, [&](const Detached& d) { return d.from == drum_; });
-    case Step::kWheel:
-      return std::ranges::any_of(match.events(), [](const Event& e) {
-        return e.vehicle != Match::kPlayer &&
-               (e.kind == Event::Kind::kWheelLost || e.kind == Event::Kind::kKilled);
-      });
-    case Step::kDone:
-      break;
-  }
-  return false;
-}
-
-bool Lesson::on_tick(const Match& match) {
-  if (!is_done(match)) return false;
-  step_ = static_cast<Step>(static_cast<int>(step_) + 1);
-  if (step_ == Step::kDrum && !drum_.valid()) step_ = Step::kWheel;
-  return true;
-}
-
-std::string clock_text(double seconds) {
-  const int whole = static_cast<int>(std::max(0.0, seconds));
-  return text_of("%d:%02d", whole / 60, whole % 60);
-}
-
 HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
   em_ = std::min({ImGui::GetFontSize(), size_.x / kMinWide, size_.y / kMinHigh});
 }
@@ -541,6 +418,15 @@ ImU32 HudPaint::faded(ImU32 colour, double opacity) {
   const auto alpha =
       static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * ((colour >> IM_COL32_A_SHIFT) & 0xff));
   return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
+void HudPaint::plate_text(ImVec2 at, const std::string& text, ImU32 colour, float scale, Align align) const {
+  const float width = width_of(text, scale), height = em_ * scale, pad = 0.3f * em_;
+  const float left = at.x - width * (align == Align::kLeft ? 0.0f : align == Align::kMiddle ? 0.5f : 1.0f);
+  const double opacity = ((colour >> IM_COL32_A_SHIFT) & 0xff) / 255.0;
+  list_.AddRectFilled({left - pad, at.y - 0.3f * pad}, {left + width + pad, at.y + height + 0.3f * pad},
+                      faded(colours::kPictureShade, opacity), 4);
+  this->text({left, at.y}, text, colour, scale);
 }
 
 float HudPaint::width_of(const std::string& text, float scale) const {
@@ -584,15 +470,18 @@ void draw_hud(const HudView& view) {
   const HudPaint paint;
   draw_hurt(view, paint);
   if (!view.task) draw_enemies(view, paint);
+  draw_warnings(view, paint);
+  draw_pulses(view, paint);
   draw_sighted(view, paint);
   if (own(view).alive) draw_reticle(view, paint);
   draw_bars(view, paint);
   draw_own_vehicle(view, paint);
   draw_score(view, paint);
   draw_state(view, paint);
+  draw_points(view, paint);
   draw_notices(view, paint);
   draw_task(view, paint);
-  if (view.guide && !view.task) draw_guide(paint, !view.match.rules().spawns.empty());
+  if (!view.guide.empty() && !view.task) draw_guide(paint, view.guide);
 }
 
 }  // namespace kerf

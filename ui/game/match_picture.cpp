@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/deterministic_math.h"
 #include "ui/gl/context.h"
 #include "ui/gl/image.h"
 #include "ui/render/bodies/overlay_marks.h"
@@ -22,15 +23,21 @@ constexpr double kScorchSpacing = 0.6;  // minimum distance between two marks, i
 constexpr double kCoolSeconds = 1.4;
 constexpr size_t kLooked = 24;  // of the latest marks are checked for an existing one
 
+constexpr size_t kMaxRings = 16;
+constexpr int kRingParts = 28;
+constexpr double kRingWidth = 0.012;  // m
+
 constexpr double kFilmedView = 55;  // degrees
 
 }  // namespace
 
 int MatchClock::advance(double seconds) {
   KERF_ASSERT(seconds >= 0);
-  const double slow = std::min(seconds, slow_s_);
+  const double stopped = std::min(seconds, stopped_s_), moving = seconds - stopped;
+  stopped_s_ -= stopped;
+  const double slow = std::min(moving, slow_s_);
   slow_s_ -= slow;
-  owed_ += (seconds - slow * (1 - kSlow)) * kTicksPerSecond;
+  owed_ += (moving - slow * (1 - kSlow)) * pace_ * kTicksPerSecond;
   const int due = static_cast<int>(std::floor(owed_));
   owed_ -= due;
   const int ticks = std::min(due, kMaxTicks);
@@ -40,6 +47,11 @@ int MatchClock::advance(double seconds) {
     speed_ += share * (static_cast<double>(ticks) / due - speed_);
   }
   return ticks;
+}
+
+double MatchClock::pace() const {
+  if (stopped_s_ > 0) return 0;
+  return is_slow() ? kSlow * pace_ : pace_;
 }
 
 MatchReplay::MatchReplay(const MatchSetup& setup, const MatchMoment& moment, std::vector<Controls> controls)
@@ -173,6 +185,16 @@ std::optional<BeamPicture> beam_of(const Match& match, size_t vehicle, const Sig
   return beam;
 }
 
+// The second beam next to a beam, without its own hit.
+BeamPicture twin_of(BeamPicture beam) {
+  const Vec3 way =
+      moved_aside({beam.from, glm::normalize(beam.to - beam.from)}, kTwinAside).origin - beam.from;
+  beam.from += way;
+  beam.to += way;
+  beam.strike.reset();
+  return beam;
+}
+
 // The lamps of an arena. Each costs another pass over all bodies, so a slow machine uses only two, slightly
 // brighter.
 std::vector<Light> lights_of(const std::vector<Light>& lamps, PicturePreset preset) {
@@ -221,6 +243,32 @@ void ResolutionChoice::took(double seconds) {
   }
 }
 
+void CutRings::add(const Event& event) {
+  if (event.across == Vec3(0) || event.kind != Event::Kind::kPieceOff) return;
+  rings_.push_back({event.at, event.across, std::clamp(0.4 * std::sqrt(event.size), 0.08, 1.2), 0});
+  if (rings_.size() > kMaxRings) rings_.erase(rings_.begin());
+}
+
+void CutRings::advance(double seconds) {
+  for (Ring& ring : rings_) ring.age += seconds;
+  std::erase_if(rings_, [](const Ring& ring) { return ring.age > kSeconds; });
+}
+
+void CutRings::append_to(Effects& effects) const {
+  for (const Ring& ring : rings_) {
+    const double share = ring.age / kSeconds, radius = ring.radius * (1 + 0.6 * share);
+    const Vec3 other = std::abs(ring.across.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+    const Vec3 u = glm::normalize(glm::cross(ring.across, other)), v = glm::cross(ring.across, u);
+    Vec3 tail = ring.at + radius * u;
+    for (int i = 1; i <= kRingParts; ++i) {
+      const double angle = 2 * kPi * i / kRingParts;
+      const Vec3 at = ring.at + radius * (std::cos(angle) * u + std::sin(angle) * v);
+      effects.sparks.push_back({at, tail, kRingWidth * (1 - 0.7 * share), 1 - share});
+      tail = at;
+    }
+  }
+}
+
 bool draws_in_software() {
   const std::string renderer = gl::renderer_name();
   for (const char* software : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer"}) {
@@ -243,6 +291,7 @@ void MatchPicture::show(const Match& match) {
   renderer_.show(match.world(), paints_of(match));
   particles_.clear();
   scorches_.clear();
+  rings_.clear();
   graph_.clear();
 }
 
@@ -256,6 +305,7 @@ void MatchPicture::follow(const Match& match) {
   for (const Event& event : events) {
     if (event.kind == Event::Kind::kImpact && event.size >= kSparks)
       particles_.add({event.at, {0, -1, 0}, kCrashSize, kRubbedOff * event.size}, {0, 1, 0});
+    rings_.add(event);
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
     const auto& last = match.vehicles()[by].gun.last;
@@ -270,6 +320,7 @@ void MatchPicture::advance(const Match& match, double seconds) {
     const auto beam = beam_of(match, i, sight);
     if (!beam) continue;
     effects->beams.push_back(*beam);
+    if (match.vehicles()[i].gun.twin) effects->beams.push_back(twin_of(*beam));
     const Vec3 along = glm::normalize(beam->to - beam->from);
     const bool ends_on_something = match.vehicles()[i].gun.length < match.rules().description.laser.range;
     if (!ends_on_something) continue;
@@ -280,6 +331,8 @@ void MatchPicture::advance(const Match& match, double seconds) {
   particles_.append_to(*effects);
   scorches_.advance(seconds);
   scorches_.append_to(*effects);
+  rings_.advance(seconds);
+  rings_.append_to(*effects);
   look_.effects = std::move(effects);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <deque>
 #include <filesystem>
@@ -32,7 +33,13 @@ class MatchClock {
   int advance(double seconds);
   // Runs the match at a quarter of its speed for some time [s] of the player.
   void slow_down(double seconds) { slow_s_ = seconds; }
+  // Stops the match for some time [s] of the player.
+  void stop(double seconds) { stopped_s_ = std::max(stopped_s_, seconds); }
+  // Sets the speed of the match relative to real time, > 0.
+  void set_pace(double pace) { pace_ = pace; }
   bool is_slow() const { return slow_s_ > 0; }
+  // The speed of the match now, relative to real time.
+  double pace() const;
   double slow_left() const { return slow_s_; }  // s
   // Due ticks that the last advance() dropped.
   int dropped() const { return dropped_; }
@@ -42,6 +49,8 @@ class MatchClock {
  private:
   double owed_ = 0;    // ticks, below 1
   double slow_s_ = 0;  // left of the slow motion
+  double stopped_s_ = 0;
+  double pace_ = 1;
   int dropped_ = 0;
   double speed_ = 1;
 };
@@ -126,6 +135,24 @@ class Scorches {
   std::deque<Scorch> places_;
 };
 
+// White-hot rings around the cuts where parts came off.
+class CutRings {
+ public:
+  static constexpr double kSeconds = 0.4;
+
+  void add(const Event& event);
+  void advance(double seconds);
+  void clear() { rings_.clear(); }
+  void append_to(Effects& effects) const;
+
+ private:
+  struct Ring {
+    Vec3 at, across;  // m; unit
+    double radius, age;
+  };
+  std::vector<Ring> rings_;
+};
+
 // Selects the graphics preset by frame time: steps down if frames are too slow, directly to the lowest if
 // they are far too slow.
 class PresetChoice {
@@ -188,6 +215,7 @@ class MatchPicture {
   ViewOptions look_;
   Particles particles_;
   Scorches scorches_;
+  CutRings rings_;
   MatchGraph graph_;
   std::optional<gl::Framebuffer> small_;  // a frame of a lower resolution
 };

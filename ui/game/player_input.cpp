@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
@@ -47,16 +48,25 @@ std::string name_of_part(const World& world, const Vehicle& vehicle, BodyId body
 
 constexpr double kRadiansPerPixel = 0.0022;
 constexpr double kWidthPerNotch = 0.1;
-constexpr double kDeadZone = 0.16;    // of a stick
-constexpr double kStickSpeed = 1.8;   // rad/s, of a fully deflected stick
-constexpr double kTriggerHeld = 0.3;  // of the travel of a trigger
-constexpr double kHelpReach = 0.06;   // rad, from the aim
-constexpr double kHelpPull = 2.2;     // 1/s
-constexpr double kHelpFar = 45;       // m
+constexpr double kWidthSpeed = 0.6;  // 1/s, of a held button
+constexpr double kSteadyRate = 14;   // 1/s
+constexpr double kDeadZone = 0.16;   // of a stick
+constexpr double kStickSpeed = 1.8;  // rad/s, of a fully deflected stick
+constexpr double kHelpReach = 0.06;  // rad, from the aim
+constexpr double kHelpPull = 2.2;    // 1/s
+constexpr double kHelpFar = 45;      // m
+constexpr double kPartReach = 0.04;  // rad, from the aim to a part that slows it down on a gamepad
 
 double without_dead_zone(double x) {
   const double over = std::abs(x) - kDeadZone;
   return over > 0 ? std::copysign(over / (1 - kDeadZone), x) : 0;
+}
+
+std::optional<GameAction> action_of_button(int button) {
+  for (size_t i = 0; i < kGameActions; ++i) {
+    if (action_keys(static_cast<GameAction>(i)).button == button) return static_cast<GameAction>(i);
+  }
+  return std::nullopt;
 }
 
 // By digit, from 1.
@@ -84,7 +94,8 @@ Vec3 place_aimed_at(const Match& match, const Sight& sight, const Vec3& aim) {
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   const Vec3 from = in_world(match.world(), own, own.what().turret.barrel.pivot);
   const double range = match.rules().description.laser.range;
-  const auto hit = sight.nearest({from, aim}, range, [&](BodyId id) { return !own.has(id); });
+  const auto hit = sight.nearest(
+      {from, aim}, range, [&](BodyId id) { return !own.has(id) && !own.is_made_of(match.world().body(id)); });
   return from + (hit ? hit->length : range) * aim;
 }
 
@@ -99,50 +110,114 @@ bool sees_vehicle(const Match& match, const Sight& sight, const Vec3& from, size
   return !hit || !hit->body.valid();
 }
 
-void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSettings& settings) {
-  for (const InputEvent& event : events) {
-    if (event.kind == InputEvent::Kind::kWheel)
-      width_ = std::clamp(width_ + kWidthPerNotch * event.wheel, 0.0, 1.0);
-    if (event.kind != InputEvent::Kind::kMove) continue;
-    if (has_pointer_) {
-      const Vec2 way = (event.at - pointer_) * (kRadiansPerPixel * settings.sensitivity);
-      turn(-way.x, settings.invert ? way.y : -way.y);
+std::vector<Vec3> parts_to_cut(const Vehicle& vehicle) {
+  const VehicleDescription& what = vehicle.what();
+  std::vector<Vec3> parts;
+  for (size_t i = 0; i < what.wheels.size(); ++i) {
+    if (vehicle.wheels[i].attached) parts.push_back(what.wheels[i].hub);
+  }
+  for (size_t i = 0; i < what.vitals.size(); ++i) {
+    if (vehicle.vital_works[i]) parts.push_back(vehicle.model->vital_centres[i]);
+  }
+  if (vehicle.gun.turret_attached) parts.push_back(what.turret.pivot);
+  return parts;
+}
+
+void SteadyAim::advance(bool held, double seconds) {
+  KERF_ASSERT(seconds >= 0);
+  spent_ = held && (spent_ || left_ <= 0);
+  on_ = held && !spent_;
+  left_ = std::clamp(left_ + seconds * (on_ ? -1 / kSeconds : 1 / kRefill), 0.0, 1.0);
+  const double share = 1 - std::exp(-kSteadyRate * seconds);
+  share_ += share * ((on_ ? 1 : 0) - share_);
+}
+
+bool is_near_part(const Match& match, const Sight& sight, const Vec3& aim) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
+  const Vec3 eye = in_world(match.world(), own, own.what().turret.barrel.pivot);
+  for (size_t i = 1; i < match.vehicles().size(); ++i) {
+    const Vehicle& enemy = match.vehicles()[i];
+    if (!enemy.alive || !sees_vehicle(match, sight, eye, i)) continue;
+    for (const Vec3& part : parts_to_cut(enemy)) {
+      const Vec3 way = in_world(match.world(), enemy, part) - eye;
+      const double distance = glm::length(way);
+      if (distance > 0 && glm::length(way / distance - aim) < kPartReach) return true;
     }
-    has_pointer_ = true;
-    pointer_ = event.at;
+  }
+  return false;
+}
+
+void PlayerInput::handle_motion(const InputEvent& event, const GameSettings& settings) {
+  if (has_pointer_ && event.at != pointer_) {
+    const Vec2 way = (event.at - pointer_) * (kRadiansPerPixel * settings.sensitivity);
+    turn(-way.x, settings.invert ? way.y : -way.y);
+    still_s_ = 0;
+    on_pad_ = false;
+  }
+  has_pointer_ = true;
+  pointer_ = event.at;
+}
+
+void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSettings& settings) {
+  using Kind = InputEvent::Kind;
+  for (const InputEvent& event : events) {
+    const bool is_key = event.kind == Kind::kKey || event.kind == Kind::kKeyUp;
+    const auto action = is_key ? action_of_key(event.button, settings.keys) : action_of_button(event.button);
+    switch (event.kind) {
+      case Kind::kMove:
+        handle_motion(event, settings);
+        break;
+      case Kind::kWheel:
+        width_ = std::clamp(width_ + kWidthPerNotch * event.wheel, 0.0, 1.0);
+        break;
+      case Kind::kPress:
+      case Kind::kKey:
+        if (action && !event.again) press(*action);
+        break;
+      case Kind::kRelease:
+      case Kind::kKeyUp:
+        if (action) release(*action);
+        break;
+      case Kind::kText:
+        break;
+    }
   }
 }
 
-void PlayerInput::poll(const Window& window, double seconds, const GameSettings& settings) {
-  const auto held = [&](int key, int other) { return window.is_key_held(key) || window.is_key_held(other); };
-  throttle_ = held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN);
-  steer_ = held(GLFW_KEY_A, GLFW_KEY_LEFT) - held(GLFW_KEY_D, GLFW_KEY_RIGHT);
-  handbrake_ = window.is_key_held(GLFW_KEY_SPACE);
-  spawn_ = window.is_key_held(GLFW_KEY_V);
-  fire_ = window.is_button_held(GLFW_MOUSE_BUTTON_LEFT) || held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_F);
-  take_gamepad(seconds, settings);
+void PlayerInput::take_held_keys(const Window& window, const KeyBindings& bindings) {
+  for (size_t i = 0; i < kGameActions; ++i) {
+    const int other = action_keys(static_cast<GameAction>(i)).other_key;
+    latches_[i].hold(window.is_key_held(bindings[i]) || (other != 0 && window.is_key_held(other)));
+  }
 }
 
-void PlayerInput::take_gamepad(double seconds, const GameSettings& settings) {
-  GLFWgamepadstate pad;
-  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
-    if (!glfwJoystickIsGamepad(joystick) || !glfwGetGamepadState(joystick, &pad)) continue;
-    const auto axis = [&](int a) { return without_dead_zone(pad.axes[a]); };
-    const auto trigger = [&](int a) { return 0.5 * (pad.axes[a] + 1); };
-    const auto pressed = [&](int b) { return pad.buttons[b] == GLFW_PRESS; };
-    steer_ = std::clamp(steer_ - axis(GLFW_GAMEPAD_AXIS_LEFT_X), -1.0, 1.0);
-    throttle_ = std::clamp(throttle_ - axis(GLFW_GAMEPAD_AXIS_LEFT_Y), -1.0, 1.0);
-    const double up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y), way = kStickSpeed * settings.sensitivity * seconds;
-    turn(-axis(GLFW_GAMEPAD_AXIS_RIGHT_X) * way, (settings.invert ? -up : up) * way);
-    fire_ = fire_ || trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) > kTriggerHeld;
-    handbrake_ = handbrake_ || pressed(GLFW_GAMEPAD_BUTTON_A);
-    return;
+void PlayerInput::apply_gamepad(const GamepadState& pad, double seconds, const GameSettings& settings,
+                                bool friction) {
+  for (size_t i = 0; i < kGameActions; ++i) {
+    const auto action = static_cast<GameAction>(i);
+    const int button = action_keys(action).pad;
+    if (pad.is_pressed(button) == pad_.is_pressed(button)) continue;
+    pad.is_pressed(button) ? press(action) : release(action);
   }
+  if (pad.buttons[GLFW_GAMEPAD_BUTTON_LEFT_BUMPER]) width_ = std::max(0.0, width_ - kWidthSpeed * seconds);
+  if (pad.buttons[GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER]) width_ = std::min(1.0, width_ + kWidthSpeed * seconds);
+  pad_ = pad;
+  const auto axis = [&](int a) { return without_dead_zone(pad.axes[static_cast<size_t>(a)]); };
+  steer_ = -axis(GLFW_GAMEPAD_AXIS_LEFT_X);
+  throttle_ = -axis(GLFW_GAMEPAD_AXIS_LEFT_Y);
+  const double left = -axis(GLFW_GAMEPAD_AXIS_RIGHT_X), up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y);
+  if (left == 0 && up == 0) return;
+  const double way = kStickSpeed * settings.sensitivity * seconds * (friction ? kFriction : 1);
+  turn(left * way, (settings.invert ? -up : up) * way);
+  still_s_ = 0;
+  on_pad_ = true;
 }
 
 void PlayerInput::release_all() {
   throttle_ = steer_ = 0;
-  handbrake_ = fire_ = spawn_ = gives_up_ = has_pointer_ = false;
+  latches_.fill({});
+  pad_ = {};
+  has_pointer_ = false;
 }
 
 void PlayerInput::reset() {
@@ -158,6 +233,8 @@ void PlayerInput::turn(double left, double up) {
 }
 
 void PlayerInput::help(const Match& match, const Sight& sight, double seconds) {
+  still_s_ += seconds;
+  if (on_pad_ || still_s_ < kAimRest || latch(GameAction::kFire).is_held()) return;
   const Vehicle& own = match.vehicles()[Match::kPlayer];
   const Placement& chassis = match.world().body(own.chassis).placement;
   const Vec3 eye = chassis.to_world(own.what().turret.barrel.pivot), aim = direction(chassis);
@@ -198,13 +275,18 @@ Controls PlayerInput::controls(const Placement& chassis) {
   const auto steps = [](double angle) {
     return static_cast<int32_t>(std::lround(angle / Controls::kAimStep));
   };
+  const auto on = [&](GameAction action) { return latch(action).next(); };
+  const double throttle = throttle_ + on(GameAction::kForward) - on(GameAction::kBackward);
+  const double steer = steer_ + on(GameAction::kLeft) - on(GameAction::kRight);
   Controls c;
-  c.throttle = share(throttle_);
-  c.steer = share(steer_);
-  c.handbrake = handbrake_;
-  c.fire = fire_;
-  c.spawn = spawn_;
-  c.give_up = std::exchange(gives_up_, false);
+  c.throttle = share(std::clamp(throttle, -1.0, 1.0));
+  c.steer = share(std::clamp(steer, -1.0, 1.0));
+  c.handbrake = on(GameAction::kHandbrake);
+  c.fire = on(GameAction::kFire);
+  c.spawn = on(GameAction::kSpawn);
+  c.give_up = on(GameAction::kNextCar);
+  c.boost = on(GameAction::kBoost);
+  c.upgrade = std::exchange(upgrade_, uint8_t{0});
   c.width = static_cast<uint8_t>(std::lround(width_ * Controls::kFull));
   c.heading = steps(heading(chassis));
   c.pitch = steps(pitch_);

@@ -156,6 +156,15 @@ Wave laser_loop() {
   return finished(std::move(wave), 0.5, true);
 }
 
+Wave warning_loop() {
+  Wave wave(samples_of(1));
+  for (size_t i = 0; i < wave.size(); ++i) {
+    const double t = time_of(i);
+    wave[i] = static_cast<float>(std::sin(kFullTurn * 620 * t) + 0.4 * std::sin(kFullTurn * 1240 * t));
+  }
+  return finished(std::move(wave), 0.3, true);
+}
+
 Wave cutting_loop() {
   Random random(7);
   Wave clicks(samples_of(1));
@@ -255,8 +264,9 @@ struct Sounds::Device {
     context = device != nullptr ? alcCreateContext(device, nullptr) : nullptr;
     if (context == nullptr || alcMakeContextCurrent(context) == ALC_FALSE) return false;
     alGenBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
-    const std::array waves{engine_loop(), laser_loop(),      cutting_loop(),    impact_sound(),
-                           sheet_sound(), explosion_sound(), chime_sound(true), chime_sound(false)};
+    const std::array waves{engine_loop(),     laser_loop(),      cutting_loop(),
+                           warning_loop(),    impact_sound(),    sheet_sound(),
+                           explosion_sound(), chime_sound(true), chime_sound(false)};
     static_assert(waves.size() == kLoops + kShots);
     for (size_t i = 0; i < waves.size(); ++i) fill(buffers[i], waves[i]);
     alGenSources(static_cast<ALsizei>(loops.size()), loops.data());
@@ -337,6 +347,8 @@ void MatchSounds::on_tick(const Match& match) {
       case Kind::kKilled:
         sounds_.play(Shot::kExplosion, e.at, 1);
         break;
+      case Kind::kLooted:
+      case Kind::kUpgraded:
       case Kind::kWaveCleared:
       case Kind::kWon:
         sounds_.play(Shot::kGoodChime, e.at, 0.7);
@@ -365,6 +377,8 @@ void MatchSounds::advance(const Match& match, const Vec3& eye, const Vec3& forwa
     sounds_.set(Loop::kEngine, i, at, there && v->alive ? 0.22 + 0.25 * load : 0,
                 0.8 + 1.6 * speed + 0.25 * load);
     sounds_.set(Loop::kLaser, i, at, there && v->gun.firing ? 0.55 : 0, 1);
+    const bool warns = there && v->is_announcing();
+    sounds_.set(Loop::kWarning, i, at, warns ? 0.5 : 0, warns ? 0.8 + v->gun.warning_s : 1);
     cutting_[i] *= kCuttingFade;
     sounds_.set(Loop::kCutting, i, at, there && v->gun.firing && cutting_[i] > 0.02 ? cutting_[i] : 0, 1);
   }

@@ -20,6 +20,7 @@ inline constexpr int kSampleRate = 44'100;
 Wave engine_loop();           // at idle; played faster, at speed
 Wave laser_loop();            // hum of a beam
 Wave cutting_loop();          // crackle of cutting
+Wave warning_loop();          // whine of a laser before its first beam
 Wave impact_sound();          // crash of a car
 Wave sheet_sound();           // falling piece of sheet metal
 Wave explosion_sound();       // destruction of a vehicle
@@ -31,7 +32,7 @@ std::vector<int16_t> to_16_bits(std::span<const float> wave);
 // Plays the sounds of the game through OpenAL. Without a device it is silent and every call is a no-op.
 class Sounds {
  public:
-  enum class Loop { kEngine, kLaser, kCutting, kCount };
+  enum class Loop { kEngine, kLaser, kCutting, kWarning, kCount };
   enum class Shot { kImpact, kSheet, kExplosion, kGoodChime, kBadChime, kCount };
 
   Sounds();

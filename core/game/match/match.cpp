@@ -108,10 +108,13 @@ constexpr double kImpact = 1.5;                    // m/s, change of velocity fr
 constexpr double kThrown = 0.2, kThrownUp = 0.12;  // fractions of the change of velocity in a crash
 constexpr double kCrumb = 0.0015;                  // m^2; smaller pieces burn up
 
-PilotSkill pilot_skill(const EnemySkill& skill) {
+// The enemies of the first wave do not aim at vital parts, those from the third wave on as their level says.
+PilotSkill pilot_skill(const EnemySkill& skill, size_t wave) {
   const double burst = 0.25 + 1.25 * skill.fire * skill.fire, pause = 0.5 + 3 * (1 - skill.fire);
   const double vital = 0.1 + 0.5 * skill.fire * skill.fire, range = 14 + 14 * skill.fire;
-  return {{skill.aim_error, burst, pause, vital, 0, range}, skill.reaction, skill.distance, skill.speed};
+  const double rising = std::min(1.0, 0.5 * static_cast<double>(wave));
+  return {
+      {skill.aim_error, burst, pause, rising * vital, 0, range}, skill.reaction, skill.distance, skill.speed};
 }
 
 WaveStart first_wave(const MatchSetup& setup) {
@@ -207,10 +210,15 @@ void Match::begin_wave(const WaveStart& start) {
   pilots_.clear();
   enemies_.clear();
   numbers_.clear();
+  trails_.clear();
+  loot_.clear();
+  in_air_ = 0;
+  upgraded_ = false;
   asked_ = false;
   Delta created;
   vehicles_.push_back(
       add_vehicle(world_.world(), rules().player, start.player, MatchWorld::kGeneration, created));
+  armour_player();
   add_enemies(start, created);
   traffic_ = find_traffic(world(), vehicles_);
   tally_.begin_wave(vehicles_.size());
@@ -236,7 +244,7 @@ void Match::add_enemies(const WaveStart& start, Delta& created) {
     numbers_.push_back(i);
     vehicles_.push_back(
         add_vehicle(world_.world(), rules().waves[wave][i], at, MatchWorld::kGeneration, created));
-    pilots_.emplace_back(hash_combine(seed, i), pilot_skill(rules().skill(setup_.difficulty)));
+    pilots_.emplace_back(hash_combine(seed, i), pilot_skill(rules().skill(setup_.difficulty), wave));
   }
 }
 
@@ -304,7 +312,14 @@ void Match::tick(const Controls& player) {
   separate();
   assess();
   recover();
-  world_.clear_debris([&](BodyId id) { return vehicle_of(id) != Event::kNobody; });
+  offer_loot();
+  take_loot();
+  count_jump();
+  select_upgrade();
+  world_.clear_debris([&](BodyId id) {
+    return vehicle_of(id) != Event::kNobody ||
+           std::ranges::any_of(loot_, [&](const LootPart& part) { return part.body == id; });
+  });
   world_.cool();
   world_.world().pass(1);
   ++tally_.standing().ticks;
@@ -346,7 +361,24 @@ void Match::take_controls(const Controls& player, const Sight& sight) {
     if (enemy.alive && !rules().description.targets)
       enemy.controls = pilots_[i].drive(view(enemies_[i], sight));
   }
+  announce_beams();
   take_turns();
+}
+
+void Match::announce_beams() {
+  for (const size_t v : enemies_) {
+    Vehicle& enemy = vehicles_[v];
+    Gun& gun = enemy.gun;
+    const bool begins = enemy.controls.fire || gun.warning_s > 0;
+    if (gun.announced || !begins) continue;
+    if (!enemy.alive || !gun.works()) {
+      gun.warning_s = 0;
+      continue;
+    }
+    enemy.controls.fire = gun.warning_s >= kWarning;
+    gun.warning_s += kTick;
+    gun.announced = gun.warning_s >= kWarning + kFirstBeam;
+  }
 }
 
 // Limits the number of enemies that fire at the same time: those that fire already, and then the first
@@ -426,21 +458,28 @@ void Match::crash(size_t vehicle, const Vec3& at, const Vec3& change) {
 }
 
 void Match::fire_beams(const PlacementsBefore& before) {
-  const LaserRules& laser = rules().description.laser;
   const Sight sight(world());
   const auto cuttable = [&](BodyId id) { return !is_wall(id); };
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     Vehicle& vehicle = vehicles_[v];
+    const LaserRules laser = laser_of(v);
     const bool was_on = vehicle.gun.firing;
     if (trigger(vehicle, glm::length(world().body(vehicle.chassis).motion.velocity), laser))
       tally_.add_event(
           {Event::Kind::kOverheated, v, v, 0, {}, world().body(vehicle.chassis).placement.position});
     if (!vehicle.gun.firing) continue;
     if (!was_on && v == kPlayer) tally_.count_stroke();
-    for (const auto& [id, cut] : fire(world_.world(), vehicle, sight, cuttable, laser, before)) {
-      world_.follow(cut.delta);
-      if (cut.delta.removed_faces > 0) tally_.record_cut(v, vehicle_of(id), id, world().body(id), cut);
-    }
+    const auto follow = [&](const std::map<BodyId, StepResult>& cuts) {
+      for (const auto& [id, cut] : cuts) {
+        world_.follow(cut.delta);
+        if (cut.delta.removed_faces == 0) continue;
+        tally_.record_cut(v, vehicle_of(id), id, world().body(id), cut);
+        trails_.record(id, tally_.events().back().at, muzzle_pose(world(), vehicle).direction);
+      }
+    };
+    // The second beam first: the first one sets the pose at the end of the tick.
+    if (vehicle.gun.twin) follow(fire(world_.world(), vehicle, sight, cuttable, laser, before, kTwinAside));
+    follow(fire(world_.world(), vehicle, sight, cuttable, laser, before));
   }
 }
 
@@ -455,11 +494,18 @@ void Match::separate() {
     const size_t victim = vehicle_of(piece.from);
     const Vehicle* vehicle = victim != Event::kNobody ? &vehicles_[victim] : nullptr;
     if (vehicle) body.sheet = vehicle->what().body.sheet;
-    if (vehicle) body.motion.velocity += thrown_[victim];
-    if (!standing().over())
-      tally_.record_piece(
-          piece, body, victim, vehicle,
-          vehicle && piece.from == vehicle->chassis && is_clean(body, vehicle->model->chassis.body));
+    const bool is_thrown = vehicle && thrown_[victim] != Vec3(0);
+    Vec3 across(0);
+    if (is_thrown) {
+      body.motion.velocity += thrown_[victim];
+    } else if (world().contains(piece.from)) {
+      Body& rest = world_.world().body(piece.from);
+      across = part_at_cut(rest, body, trails_.of(piece.from), !vehicle);
+    }
+    if (standing().over()) continue;
+    tally_.record_piece(
+        piece, body, victim, vehicle,
+        vehicle && piece.from == vehicle->chassis && is_clean(body, vehicle->model->chassis.body), across);
   }
   world_.remove(crumbs);
 }
@@ -467,25 +513,44 @@ void Match::separate() {
 void Match::assess() {
   if (!is_settled(world())) return;
   for (size_t v = 0; v < vehicles_.size(); ++v) {
-    if (tally_.takes_assessment(v))
-      tally_.record_damage(world(), v, vehicles_[v], assess_damage(world_.world(), vehicles_[v]));
+    if (!tally_.takes_assessment(v)) continue;
+    const Damage damage = assess_damage(world_.world(), vehicles_[v]);
+    pop_off_lost(v, damage);
+    tally_.record_damage(world(), v, vehicles_[v], damage);
   }
+}
+
+// Wheels fly off sideways, a laser upwards.
+void Match::pop_off_lost(size_t vehicle, const Damage& damage) {
+  const Vehicle& v = vehicles_[vehicle];
+  World& world = world_.world();
+  const Placement& chassis = world.body(v.chassis).placement;
+  const CutTrail* trail = trails_.of(v.chassis);
+  for (const size_t w : damage.wheels) {
+    const double side = v.what().wheels[w].hub.x < 0 ? -1 : 1;
+    pop_off(world.body(v.wheels[w].body), chassis.orientation * Vec3(side, 0, 0), trail);
+  }
+  const Vec3 up = chassis.orientation * Vec3(0, 1, 0);
+  if (damage.turret) pop_off(world.body(v.gun.turret), up, trail);
+  if (damage.barrel) pop_off(world.body(v.gun.barrel), up, trails_.of(v.gun.turret));
 }
 
 void Match::recover() {
   for (size_t v = 0; v < vehicles_.size(); ++v) {
+    const bool lies = is_overturned(world().body(vehicles_[v].chassis));
     if (!recover_vehicle(world_.world(), vehicles_[v], space_, rules().description.times)) continue;
     Delta moved;
     moved.moved = all_bodies(vehicles_[v]);
     world_.follow(std::move(moved));
-    tally_.add_event({Event::Kind::kRighted, v, Event::kNobody, 0, vehicles_[v].chassis,
-                      world().body(vehicles_[v].chassis).placement.position});
+    tally_.add_event({Event::Kind::kRighted, v, Event::kNobody, lies ? Event::kFlipped : 0,
+                      vehicles_[v].chassis, world().body(vehicles_[v].chassis).placement.position});
   }
 }
 
 void Match::judge() {
   using Phase = Standing::Phase;
   Standing& standing = tally_.standing();
+  if (standing.phase == Phase::kDown && vehicles_[kPlayer].controls.give_up) standing.pause_left = 1;
   if (standing.phase == Phase::kPause || standing.phase == Phase::kDown) return end_pause();
   const bool gave_up = vehicles_[kPlayer].controls.give_up && is_disabled();
   const bool alive = vehicles_[kPlayer].alive && !gave_up, no_time = seconds_left() <= 0;

@@ -8,6 +8,7 @@
 #include "core/game/arena/arena.h"
 #include "core/game/driver/pilot.h"
 #include "core/game/driver/steering.h"
+#include "core/game/match/cut_motion.h"
 #include "core/game/match/match_world.h"
 #include "core/game/match/rules.h"
 #include "core/game/vehicle/vehicle.h"
@@ -64,11 +65,14 @@ class Match {
   // Advances by 1/120 s. Once the match is over, the world continues for kAftermath ticks, in which nobody
   // drives, fires or scores, so that airborne bodies land; after that tick() is a no-op.
   void tick(const Controls& player);
+  // An enemy aims for kWarning before its first beam, and then fires for kFirstBeam at least [s].
+  static constexpr double kWarning = 0.8, kFirstBeam = 0.3;
   static constexpr Ticks kAftermath = 3 * kTicksPerSecond;
   // Returns true if the match and its aftermath are over.
   bool settled() const { return standing().over() && standing().aftermath == kAftermath; }
 
-  // Returns true if the player drives a car without a laser; giving up then loses that car.
+  // Returns true if the player drives a car without a laser; giving up then loses that car. While the player
+  // waits for the next car, giving up ends the wait.
   bool is_disabled() const;
 
   const Rules& rules() const { return *setup_.rules; }
@@ -85,6 +89,16 @@ class Match {
   // The vehicles of the wave: the player's, then the enemies, then requested ones.
   static constexpr size_t kPlayer = Tally::kPlayer;
   const std::vector<Vehicle>& vehicles() const { return vehicles_; }
+  // Parts that the player cut off and can take for kLootSeconds by driving within kLootReach [m] of them.
+  struct LootPart {
+    Loot loot;
+    BodyId body;
+    Ticks until;
+  };
+  static constexpr double kLootSeconds = 20, kLootReach = 2.5;
+  const std::vector<LootPart>& loot() const { return loot_; }
+  // Returns true if an upgrade was selected in this pause between two waves.
+  bool has_upgraded() const { return upgraded_; }
   // The index of the vehicle that a body belongs to, or Event::kNobody.
   size_t vehicle_of(BodyId body) const;
   bool is_wall(BodyId body) const;
@@ -104,6 +118,7 @@ class Match {
   void go_on_afterwards();
   void take_controls(const Controls& player, const Sight& sight);
   void take_turns();
+  void announce_beams();
   std::vector<KinematicBody> guided() const;
   std::vector<BodyId> carried() const;
   std::vector<Vec3> velocities() const;
@@ -113,7 +128,15 @@ class Match {
   void fire_beams(const PlacementsBefore& before);
   void separate();
   void assess();
+  void pop_off_lost(size_t vehicle, const Damage& damage);
   void recover();
+  void armour_player();
+  void offer_loot();
+  void take_loot();
+  bool use_loot(const LootPart& part);
+  void count_jump();
+  void select_upgrade();
+  LaserRules laser_of(size_t vehicle) const;
   void judge();
   Ticks pause() const;
   void lose_car();
@@ -131,7 +154,11 @@ class Match {
   std::vector<size_t> enemies_;  // indices of vehicles that fight
   std::vector<size_t> numbers_;  // of these, in the wave of the rules
   bool asked_ = false;           // a vehicle was requested in the last tick
-  std::vector<Vec3> thrown_;     // m/s, by vehicle, of pieces that come off in this tick by a crash
+  CutTrails trails_;
+  std::vector<LootPart> loot_;
+  Ticks in_air_ = 0;          // for which no wheel of the player's car has been on the ground
+  bool upgraded_ = false;     // an upgrade was selected in this pause
+  std::vector<Vec3> thrown_;  // m/s, by vehicle, of pieces that come off in this tick by a crash
 };
 
 // Plays the player's side of a match: attacks one vehicle after the other, with short reaction time and

@@ -17,13 +17,14 @@ namespace kerf {
 namespace {
 
 constexpr const char* kNames[] = {"easy", "normal", "hard"};
+constexpr int64_t kMaxButtons = 15 + 16 * Controls::kUpgrades;
 constexpr size_t kMaxTicks = kMaxSeconds * kTicksPerSecond;
 
 // The JSON of `ticks` ticks with equal controls.
 nlohmann::ordered_json run_json(const Controls& c, size_t ticks) {
-  return {
-      ticks,          c.throttle, c.steer,   (c.handbrake ? 1 : 0) + (c.spawn ? 2 : 0) + (c.give_up ? 4 : 0),
-      c.fire ? 1 : 0, c.width,    c.heading, c.pitch};
+  const int buttons =
+      (c.handbrake ? 1 : 0) + (c.spawn ? 2 : 0) + (c.give_up ? 4 : 0) + (c.boost ? 8 : 0) + 16 * c.upgrade;
+  return {ticks, c.throttle, c.steer, buttons, c.fire ? 1 : 0, c.width, c.heading, c.pitch};
 }
 
 std::string inputs_line(std::span<const Controls> controls) {
@@ -54,13 +55,15 @@ Status parse_run(const JsonValue& value, std::vector<Controls>& controls) {
   Controls c;
   const bool good = run.is_array() && run.size() == 8 && take(run, 0, 1, kTicksPerSecond, ticks) &&
                     take(run, 1, -kFull, kFull, c.throttle) && take(run, 2, -kFull, kFull, c.steer) &&
-                    take(run, 3, 0, 7, buttons) && take(run, 4, 0, 1, c.fire) &&
+                    take(run, 3, 0, kMaxButtons, buttons) && take(run, 4, 0, 1, c.fire) &&
                     take(run, 5, 0, kFull, c.width) && take(run, 6, -kAngle, kAngle, c.heading) &&
                     take(run, 7, -kAngle, kAngle, c.pitch);
   if (!good) return value.wrong("must be eight whole numbers of the controls of a vehicle");
   c.handbrake = buttons % 2 == 1;
   c.spawn = buttons / 2 % 2 == 1;
-  c.give_up = buttons >= 4;
+  c.give_up = buttons / 4 % 2 == 1;
+  c.boost = buttons / 8 % 2 == 1;
+  c.upgrade = buttons / 16;
   if (controls.size() + ticks > kMaxTicks) return value.wrong("exceeds the limit of ten hours");
   controls.insert(controls.end(), ticks, c);
   return Done{};
@@ -78,6 +81,15 @@ void describe_head(Fields& f, Recording& recording) {
   std::string kind = "match";
   f.text("kerf", kind);
   f.check(kind == "match", "kerf", "not a recording of a match");
+  f.value(
+      "format",
+      [](const JsonValue& format) -> Status {
+        const bool is_old = format.json().is_number_unsigned() && format.json() < kRecordingFormat;
+        if (!is_old) return Done{};
+        return format.wrong(
+            "the match was recorded before Kerf 0.2: replay it with the version that recorded it");
+      },
+      nullptr, kOptional);
   f.format(kRecordingFormat);
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
@@ -200,7 +212,8 @@ void ScoreLog::on_tick(const Match& match) {
   if (waves_.empty() || waves_.back().standing.ticks != start.standing.ticks) waves_.push_back(start);
   ticks_ = standing.elapsed();
   for (const Event& event : match.events()) {
-    if (event.points > 0) scored_.push_back({standing.ticks, waves_.size() - 1, event.vehicle, event.points});
+    if (event.points > 0 && event.vehicle != Match::kPlayer)
+      scored_.push_back({standing.ticks, waves_.size() - 1, event.vehicle, event.points});
   }
 }
 

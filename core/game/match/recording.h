@@ -14,8 +14,8 @@
 namespace kerf {
 
 // The format of recordings: incremented when other versions of Kerf cannot read them, or when equal inputs
-// lead to another world than before.
-inline constexpr uint64_t kRecordingFormat = 1;
+// lead to another world than before. Older formats are not read.
+inline constexpr uint64_t kRecordingFormat = 2;
 
 // Maximum seed and duration [s] of a recorded match.
 inline constexpr uint64_t kMaxSeed = 1'000'000'000'000'000;
@@ -31,7 +31,8 @@ inline constexpr size_t kMaxSeconds = 36'000;
 // "format" and "program": see Fields::format. "files": the hash of the rules and of all files that they
 // name. "player": the vehicle file, if the player drove another vehicle than that of the rules. Each input
 // is a number of ticks with equal controls of the player; a line holds a second. Buttons are the sum of 1
-// (handbrake), 2 (request a vehicle) and 4 (give up). The hash is that of the final world.
+// (handbrake), 2 (request a vehicle), 4 (give up), 8 (boost) and 16 times the upgrade. The hash is that of
+// the final world.
 struct Recording {
   std::filesystem::path rules, player;  // player: empty if it is that of the rules
   uint64_t files = 0, seed = 1;

@@ -1,5 +1,6 @@
 #include "core/game/match/rules.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,17 @@ Status read_vehicles(const JsonValue& value, const std::filesystem::path& folder
     vehicles.push_back(folder / *name);
   }
   return Done{};
+}
+
+Status read_medals(const JsonValue& value, std::vector<double>& medals) {
+  if (const Status array = value.array("scores"); !array) return array;
+  for (size_t i = 0; i < value.json().size(); ++i) {
+    const auto score = value[i].number();
+    if (!score) return score.error();
+    medals.push_back(*score);
+  }
+  if (medals.size() == 3 && std::is_sorted(medals.begin(), medals.end())) return Done{};
+  return value.wrong("must be three scores, ascending");
 }
 
 Status read_waves(const JsonValue& value, const std::filesystem::path& folder, RulesDescription& rules) {
@@ -116,6 +128,10 @@ static void describe(Fields& f, Scores& scores) {
   f.number("in_halves", scores.in_halves, kPoints, kOptional);
   f.number("at_a_stroke", scores.at_a_stroke, kPoints, kOptional);
   f.number("clean", scores.clean, kPoints, kOptional);
+  f.number("air", scores.air, kPoints, kOptional);
+  f.value(
+      "medals", [&](const JsonValue& value) { return read_medals(value, scores.medals); }, nullptr,
+      kOptional);
 }
 
 static void describe(Fields& f, RulesDescription& rules) {
@@ -197,11 +213,32 @@ Vec3 middle_of(const Body& body) {
 
 void Tally::add_event(Event event, double points) {
   const bool to_enemy = event.vehicle != kPlayer && event.vehicle != Event::kNobody;
-  if (to_enemy && event.by == kPlayer) {
-    event.points = points;
-    standing_.score += points;
+  if (!to_enemy || event.by != kPlayer) {
+    events_.push_back(event);
+    return;
   }
+  event.combo = combo_of(event);
+  award(event, points * static_cast<double>(event.combo));
+}
+
+void Tally::award(Event event, double points) {
+  event.points = points;
+  standing_.score += points;
   events_.push_back(event);
+}
+
+// The number of different parts within the last seconds, for the event of a part.
+size_t Tally::combo_of(const Event& event) {
+  using Kind = Event::Kind;
+  const bool is_part = event.kind == Kind::kWheelLost || event.kind == Kind::kTurretLost ||
+                       event.kind == Kind::kVitalLost || event.kind == Kind::kInHalves;
+  if (!is_part) return 1;
+  const Ticks now = standing_.ticks;
+  std::erase_if(hits_, [&](const Hit& hit) { return seconds_of_ticks(now - hit.tick) > kComboSeconds; });
+  const bool known = std::ranges::any_of(
+      hits_, [&](const Hit& hit) { return hit.kind == event.kind && hit.part == event.part; });
+  if (!known) hits_.push_back({now, event.kind, event.part});
+  return std::clamp<size_t>(hits_.size(), 1, kMaxCombo);
 }
 
 void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut) {
@@ -219,13 +256,15 @@ void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& bod
 }
 
 void Tally::record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
-                         bool clean) {
+                         bool clean, const Vec3& across) {
   ++standing_.pieces;
   const double area = area_of(body);
   Event event{Event::Kind::kPieceOff, victim, Event::kNobody, 0, piece.to, middle_of(body), area};
+  event.across = across;
   if (!vehicle) return add_event(event);
   event.by = records_[victim].last_cut_by;
   records_[victim].changed = true;
+  standing_.pieces_cut += victim != kPlayer && event.by == kPlayer;
   add_event(event, scores_->piece);
   event.kind = Event::Kind::kCleanPart;
   if (clean && scores_->clean > 0) add_event(event, scores_->clean);

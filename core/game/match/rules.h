@@ -32,9 +32,11 @@ struct EnemySkill {
 
 struct Scores {
   double piece = 10, wheel = 100, turret = 250, engine = 300, driver = 300, kill = 500;
-  double in_halves = 400;    // an enemy is split in two parts of at least a quarter of it
-  double at_a_stroke = 600;  // it dies during the stroke that first cut it
-  double clean = 0;          // a part comes off whole (see is_clean)
+  double in_halves = 400;      // an enemy is split in two parts of at least a quarter of it
+  double at_a_stroke = 600;    // it dies during the stroke that first cut it
+  double clean = 0;            // a part comes off whole (see is_clean)
+  double air = 0;              // for each second of a jump
+  std::vector<double> medals;  // bronze, silver, gold: the least scores; none if empty
 };
 
 struct MatchTimes {
@@ -70,7 +72,7 @@ struct RulesDescription {
 //                              "enemy_distance": 16, "enemies_at_once": 1},
 //                     "normal": {..}, "hard": {..}},
 //    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
-//              "in_halves": 400, "at_a_stroke": 600, "clean": 50},
+//              "in_halves": 400, "at_a_stroke": 600, "clean": 50, "air": 50, "medals": [500, 1500, 3000]},
 //    "cars": 3, "targets": false, "spawns": ["../vehicles/van.json"]}
 //
 // Aim errors are in degrees. "recharge_per_second_driving", at 8 m/s or more, defaults to
@@ -110,14 +112,18 @@ struct Event {
     kKilled,
     kOverheated,   // the laser of `vehicle`
     kImpact,       // the velocity of `vehicle` changed by `size` m/s
-    kRighted,      // `vehicle` was put upright, or moved from where it was stuck
+    kRighted,      // `vehicle` was put upright (`part` is kFlipped), or moved from where it was stuck
     kWaveBegins,   // `part` is the number of the wave, from 0
     kWaveCleared,  // likewise
     kCarLost,      // the player's; `part` are left
+    kLooted,       // the player took a part that lay around; `part` is its Loot
+    kJumped,       // the player's car landed after `size` s in the air
+    kUpgraded,     // the player's car; `part` is the number of the upgrade
     kWon,
     kLost,
   };
   static constexpr size_t kNobody = static_cast<size_t>(-1);
+  static constexpr size_t kFlipped = 1;
 
   Kind kind;
   size_t vehicle = kNobody;  // affected vehicle, an index of Match::vehicles()
@@ -127,6 +133,23 @@ struct Event {
   Vec3 at{0};  // m, in the world
   double size = 0;
   double points = 0;  // that the player got for it
+  size_t combo = 1;   // factor of the points, for different parts in quick succession
+  Vec3 across{0};     // unit, from the cut towards the part that came off; 0: unknown
+};
+
+// Upgrades of the player's car, selected between two waves by Controls::upgrade.
+enum class Upgrade : uint8_t {
+  kCooling = 1,  // the laser heats up more slowly
+  kBattery,      // it charges faster
+  kArmour        // vital parts work until less is left of them
+};
+
+// What a part that was cut off an enemy is to the player.
+enum class Loot : uint8_t {
+  kWheel,   // replaces a lost one
+  kEngine,  // charges the laser
+  kLaser,   // becomes a second beam
+  kPlate    // armours vital parts
 };
 
 struct Standing {
@@ -148,7 +171,9 @@ struct Standing {
   size_t enemies_destroyed = 0;
   size_t wheels_lost = 0;  // of the player's vehicles
   size_t pieces = 0;       // that came off bodies
+  size_t pieces_cut = 0;   // off enemies by the player
   size_t faces_removed = 0;
+  std::array<uint8_t, Controls::kUpgrades> upgrades{};  // how often each one was selected, by Upgrade - 1
   bool over() const { return phase >= Phase::kWon; }
   Ticks elapsed() const { return ticks + aftermath; }
 };
@@ -158,6 +183,8 @@ struct Standing {
 class Tally {
  public:
   static constexpr size_t kPlayer = 0;
+  static constexpr double kComboSeconds = 4;  // between parts that count together
+  static constexpr size_t kMaxCombo = 5;
 
   Tally() = default;
   // `scores`: the points of the rules, which must outlive it. `strokes`: see strokes().
@@ -171,17 +198,23 @@ class Tally {
   void count_stroke() { ++strokes_; }
   const std::vector<Event>& events() const { return events_; }
 
-  void begin_wave(size_t vehicles) { records_.assign(vehicles, Record{}); }
+  void begin_wave(size_t vehicles) {
+    records_.assign(vehicles, Record{});
+    hits_.clear();
+  }
   void add_vehicle() { records_.emplace_back(); }
   void begin_tick() { events_.clear(); }
 
+  // Adds an event of the player alone, with points.
+  void award(Event event, double points);
   // Adds an event of a vehicle, with points if the player caused it to an enemy.
   void add_event(Event event, double points = 0);
   // Records that the beam of a vehicle cut a body of the vehicle `victim` (Event::kNobody: of none).
   void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
-  // Records that a piece was detached from a body of `vehicle` (null: of no vehicle). `clean`: see is_clean.
+  // Records that a piece was detached from a body of `vehicle` (null: of no vehicle). `clean`: see is_clean;
+  // `across`: see Event.
   void record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,
-                    bool clean);
+                    bool clean, const Vec3& across = Vec3(0));
   // Returns true, once, after a vehicle was cut or lost a piece, i.e. if its damage must be assessed from its
   // meshes.
   bool takes_assessment(size_t vehicle);
@@ -194,10 +227,19 @@ class Tally {
     size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
     bool changed = false;     // faces of it changed, or a piece came off, since the last assessment
   };
+  // A part that the player cut off an enemy.
+  struct Hit {
+    Ticks tick;
+    Event::Kind kind;
+    size_t part;
+  };
+  size_t combo_of(const Event& event);
+
   const Scores* scores_ = nullptr;
   Standing standing_;
   size_t strokes_ = 0;
   std::vector<Record> records_;  // by vehicle
+  std::vector<Hit> hits_;        // of the last kComboSeconds
   std::vector<Event> events_;
 };
 

@@ -22,6 +22,10 @@ bool Vehicle::can_drive() const {
   return false;
 }
 
+bool Vehicle::is_announcing() const {
+  return alive && gun.works() && gun.warning_s > 0 && !gun.announced && !gun.firing;
+}
+
 bool Vehicle::has(BodyId body) const {
   if (body == chassis) return true;
   if (gun.turret_attached && body == gun.turret) return true;
@@ -148,6 +152,7 @@ class Rest {
   Rest(const World& world, BodyId id, const FaceWatch& watch)
       : watch_(watch), left_(watch.areas_in(world.body(id))) {}
   bool works(size_t group) const { return left_[group] >= kMinPart * watch_.area(group); }
+  double share(size_t group) const { return left_[group] / watch_.area(group); }
 
  private:
   const FaceWatch& watch_;
@@ -165,7 +170,8 @@ void assess_wheels(const World& world, Vehicle& vehicle, const Rest& chassis, Da
   for (size_t i = 0; i < vehicle.wheels.size(); ++i) {
     Wheel& wheel = vehicle.wheels[i];
     if (!wheel.attached) continue;
-    if (chassis.works(model.wheel_mount(i)) && holds(world, wheel.body, model.wheels[i])) continue;
+    const bool mounted = wheel.replaced || chassis.works(model.wheel_mount(i));
+    if (mounted && holds(world, wheel.body, model.wheels[i])) continue;
     wheel.attached = wheel.grounded = false;
     damage.wheels.push_back(i);
   }
@@ -187,7 +193,8 @@ void assess_gun(const World& world, Vehicle& vehicle, const Rest& chassis, Damag
 
 void assess_vitals(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
   for (size_t i = 0; i < vehicle.vital_works.size(); ++i) {
-    if (!vehicle.vital_works[i] || chassis.works(vehicle.model->vital(i))) continue;
+    vehicle.vital_left[i] = chassis.share(vehicle.model->vital(i));
+    if (!vehicle.vital_works[i] || vehicle.vital_left[i] >= vehicle.min_vital) continue;
     vehicle.vital_works[i] = false;
     damage.vitals.push_back(i);
   }
@@ -208,10 +215,21 @@ Vehicle add_vehicle(World& world, const std::shared_ptr<const VehicleModel>& mod
   vehicle.gun.turret = add(world, model->turret, placement, generation, delta);
   vehicle.gun.barrel = add(world, model->barrel, placement, generation, delta);
   vehicle.vital_works.assign(vehicle.what().vitals.size(), true);
+  vehicle.vital_left.assign(vehicle.what().vitals.size(), 1);
   vehicle.controls.heading =
       static_cast<int32_t>(heading_of(placement.orientation * Vec3(0, 0, 1)) / Controls::kAimStep);
   place_carried(world, vehicle);
   return vehicle;
+}
+
+void replace_wheel(World& world, Vehicle& vehicle, size_t index, uint32_t generation, Delta& delta) {
+  KERF_ASSERT(index < vehicle.wheels.size() && !vehicle.wheels[index].attached);
+  Wheel& wheel = vehicle.wheels[index];
+  wheel = {};
+  wheel.replaced = true;
+  wheel.body =
+      add(world, vehicle.model->wheels[index], world.body(vehicle.chassis).placement, generation, delta);
+  place_carried(world, vehicle);
 }
 
 std::vector<BodyId> carried_bodies(const Vehicle& vehicle) {
@@ -252,6 +270,14 @@ Pose muzzle_pose(const World& world, const Vehicle& vehicle) {
   const Placement& placement = world.body(vehicle.gun.barrel).placement;
   return {placement.to_world(vehicle.what().turret.barrel.muzzle),
           glm::normalize(placement.orientation * Vec3(0, 0, 1))};
+}
+
+Pose moved_aside(Pose pose, double aside) {
+  if (aside == 0) return pose;
+  const Vec3 right = glm::cross(pose.direction, Vec3(0, 1, 0));
+  const double length = glm::length(right);
+  if (length > 0) pose.origin += aside / length * right;
+  return pose;
 }
 
 Vec3 in_world(const World& world, const Vehicle& vehicle, const Vec3& point) {
@@ -296,13 +322,14 @@ bool trigger(Vehicle& vehicle, double speed, const LaserRules& rules) {
 
 std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& sight,
                                   const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
-                                  const PlacementsBefore& before) {
+                                  const PlacementsBefore& before, double aside) {
   Gun& gun = vehicle.gun;
   KERF_ASSERT(gun.firing && gun.works());
-  const Pose now = muzzle_pose(world, vehicle), last = gun.last.value_or(now);
+  const Pose muzzle = muzzle_pose(world, vehicle);
+  const Pose now = moved_aside(muzzle, aside), last = moved_aside(gun.last.value_or(muzzle), aside);
   const auto wall = sight.nearest(now, rules.range, [&](BodyId id) { return !cuttable(id); });
-  gun.length = wall ? wall->length : rules.range;
-  const CutSettings settings = cut_settings(gun.radius, gun.length);
+  const double length = wall ? wall->length : rules.range;
+  const CutSettings settings = cut_settings(gun.radius, length);
   std::map<BodyId, StepResult> cut;
   for (const Sight::Near& near : sight.bodies()) {
     if (vehicle.has(near.id) || !cuttable(near.id) || near.body->mesh.live_faces() > kMaxFacesOfTarget)
@@ -315,6 +342,8 @@ std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& s
     if (!done) done = unknown_change(near.id);
     if (!done->delta.empty()) cut.emplace(near.id, std::move(*done));
   }
+  if (aside != 0) return cut;
+  gun.length = length;
   gun.last = now;
   return cut;
 }

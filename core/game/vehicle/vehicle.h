@@ -20,13 +20,16 @@ namespace kerf {
 struct Controls {
   static constexpr int kFull = 100;
   static constexpr double kAimStep = 1e-4;  // rad
+  static constexpr uint8_t kUpgrades = 3;
 
   int8_t throttle = 0;  // -kFull .. kFull; brakes against the direction of motion
   int8_t steer = 0;     // -kFull .. kFull, positive to the left
   bool handbrake = false;
   bool fire = false;
-  bool spawn = false;              // requests a vehicle to cut, if the rules have some
-  bool give_up = false;            // gives up a car without laser
+  bool spawn = false;    // requests a vehicle to cut, if the rules have some
+  bool give_up = false;  // gives up a car without laser, or takes the next car at once
+  bool boost = false;
+  uint8_t upgrade = 0;             // 1 .. kUpgrades between two waves: the selected one; 0: none
   uint8_t width = 0;               // 0 .. kFull, from the narrowest beam to the widest
   int32_t heading = 0, pitch = 0;  // kAimStep, target direction of the barrel in the world (see direction_of)
 
@@ -36,6 +39,7 @@ struct Controls {
 struct Wheel {
   BodyId body;
   bool attached = true;
+  bool replaced = false;       // a looted one, which needs no mount
   double rise = 0;             // m, of the hub above its place in the mesh, along +Y of the chassis
   double steer = 0;            // rad, positive to the left
   double angle = 0, rate = 0;  // rad and rad/s, about +X of the chassis
@@ -52,9 +56,12 @@ struct Gun {
   double energy = 1, heat = 0;    // 0 .. 1
   bool overheated = false;        // until it has cooled
   bool firing = false;            // the beam is on
+  double warning_s = 0;           // time for which it has announced its first beam; 0: does not announce
+  bool announced = false;         // it has done so
   double radius = 0, length = 0;  // m, of the beam while it is on
   std::optional<Pose> last;       // of the beam at the end of the last tick, if it was on
 
+  bool twin = false;  // has a second beam next to the first one
   bool works() const { return turret_attached && barrel_attached; }
 };
 
@@ -70,13 +77,17 @@ struct BackOff {
   int times = 0;        // number of attempts near there
 };
 
+inline constexpr double kMinPart = 0.5;      // of the area of a part
+inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
+
 struct Vehicle {
   std::shared_ptr<const VehicleModel> model;
   BodyId chassis;
   std::vector<Wheel> wheels;
   Gun gun;
   bool alive = true;
-  std::vector<bool> vital_works;  // by VehicleDescription::vitals
+  std::vector<bool> vital_works;   // by VehicleDescription::vitals
+  std::vector<double> vital_left;  // likewise, fraction of the area that is left
   Controls controls;
   double overturned_s = 0;                       // time since it overturned
   double stuck_s = 0;                            // time without progress from `stuck_at`
@@ -84,11 +95,15 @@ struct Vehicle {
   bool tried_ahead = false, tried_back = false;  // since then
   std::optional<Placement> free_place;           // where it last drove freely
   BackOff back_off;
-  double whole = 1;  // fraction of the area of the chassis that is left
+  double whole = 1;             // fraction of the area of the chassis that is left
+  double boost = 1;             // 0 .. 1, what is left of it
+  double min_vital = kMinPart;  // fraction of the area of a vital part with which it works
 
   const VehicleDescription& what() const { return model->description; }
   size_t wheels_attached() const;
   bool can_drive() const;
+  // Returns true if it aims before its first beam.
+  bool is_announcing() const;
   // Returns true if a body is the chassis or carried by it.
   bool has(BodyId body) const;
   // Returns true if a body consists of loaded faces of the vehicle, attached or not.
@@ -103,6 +118,10 @@ inline constexpr double kLightBody = 0.3;
 // generation. Appends them to `delta`.
 Vehicle add_vehicle(World& world, const std::shared_ptr<const VehicleModel>& model,
                     const Placement& placement, uint32_t generation, Delta& delta);
+
+// Replaces a lost wheel of a vehicle by a new one. Appends the new body to `delta`. Precondition: the wheel
+// is lost.
+void replace_wheel(World& world, Vehicle& vehicle, size_t wheel, uint32_t generation, Delta& delta);
 
 // The bodies that the chassis carries, without and with the chassis.
 std::vector<BodyId> carried_bodies(const Vehicle& vehicle);
@@ -144,12 +163,18 @@ using PlacementsBefore = std::map<BodyId, Placement>;
 // the current one, in the frame of each body that it hits, which may have moved in the meantime. The beam
 // ends at the ground and at the first body that is not cuttable, passes through all others, and ignores the
 // bodies of its own vehicle. A cut that would give a body more than kMaxFacesOfTarget faces ends early,
-// with a delta that requires a complete reload. Sets Gun::length and Gun::last. `sight`: the world after
+// with a delta that requires a complete reload. `aside` [m]: offset of the beam to the right of the barrel.
+// Without an offset it also sets Gun::length and Gun::last. `sight`: the world after
 // the bodies have moved; `cuttable`: returns true if the beam cuts a body. Returns the cuts by body.
 // Precondition: the beam is on.
 std::map<BodyId, StepResult> fire(World& world, Vehicle& vehicle, const Sight& sight,
                                   const std::function<bool(BodyId)>& cuttable, const LaserRules& rules,
-                                  const PlacementsBefore& before);
+                                  const PlacementsBefore& before, double aside = 0);
+
+inline constexpr double kTwinAside = 0.3;  // m, of the second beam
+
+// A pose moved to the right of its direction by a distance [m].
+Pose moved_aside(Pose pose, double aside);
 
 struct Damage {
   std::vector<size_t> wheels, vitals;  // indices in the description
@@ -163,7 +188,7 @@ struct Damage {
 //   wheel, turret   half of the part is left in its body, half of that near its hub or pivot, and half of its
 //                   mount is left in the chassis near there; otherwise it comes off as a free body. The same
 //                   holds for the barrel on the turret.
-//   vital part      half of its area is left in the chassis; otherwise the vehicle is dead.
+//   vital part      Vehicle::min_vital of its area is left in the chassis; otherwise the vehicle is dead.
 //
 // A vehicle with less than kMinChassis of its chassis is dead, too. Precondition: pieces that were cut off
 // are bodies of their own (see release_pieces). O(faces of the vehicle).
@@ -171,9 +196,6 @@ Damage assess_damage(const World& world, Vehicle& vehicle);
 
 // The area of the faces of a body [m^2].
 double area_of(const Body& body);
-
-inline constexpr double kMinPart = 0.5;      // of the area of a part
-inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
 
 // Returns true if a body that was separated from `loaded` consists of whole parts: at least kCleanShare of
 // the area of every connected component of which it has faces, and at least kMinCleanArea in total. False if

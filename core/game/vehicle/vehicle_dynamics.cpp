@@ -56,6 +56,9 @@ constexpr double kSteeringSpeed = 2.4;            // rad/s
 constexpr double kStandstill = 0.6;               // m/s, below which throttle backwards reverses
 constexpr int kSweeps = 3;
 
+constexpr double kBoost = 1.8, kBoostTop = 1.3;         // factors of force and top speed
+constexpr double kBoostSeconds = 2, kBoostRefill = 10;  // s
+
 // A grounded wheel with its axes in the world.
 struct Standing {
   Wheel* wheel;
@@ -82,6 +85,7 @@ class Drive {
 
   void run() {
     speed_ = glm::dot(motion_.velocity(), ahead_);
+    use_boost();
     steer();
     const double mass = vehicle_.what().mass;
     for (size_t i = 0; i < vehicle_.wheels.size(); ++i) {
@@ -103,6 +107,12 @@ class Drive {
     return vehicle_.alive ? static_cast<double>(vehicle_.controls.throttle) / Controls::kFull : 0;
   }
   bool handbrake() const { return vehicle_.controls.handbrake && vehicle_.alive; }
+
+  void use_boost() {
+    double& left = vehicle_.boost;
+    boosts_ = vehicle_.controls.boost && throttle() > 0 && left > 0;
+    left = std::clamp(left + kTick * (boosts_ ? -1 / kBoostSeconds : 1 / kBoostRefill), 0.0, 1.0);
+  }
 
   void steer() {
     const double wanted =
@@ -198,10 +208,12 @@ class Drive {
 
   double force() const {
     const EngineDescription& engine = what().engine;
-    const double speed = std::abs(speed_);
-    const double limit = speed_ < 0 ? 0.4 * engine.top_speed : engine.top_speed;
+    const double speed = std::abs(speed_), more = boosts_ ? kBoost : 1;
+    const double limit = speed_ < 0 ? 0.4 * engine.top_speed
+                         : boosts_  ? kBoostTop * engine.top_speed
+                                    : engine.top_speed;
     if (speed >= limit) return 0;
-    return std::min(engine.force, engine.power / std::max(speed, 1.0));
+    return more * std::min(engine.force, engine.power / std::max(speed, 1.0));
   }
 
   void grip(Standing& s) {
@@ -256,6 +268,7 @@ class Drive {
   Body& chassis_;
   RigidMotion motion_;
   const Vec3 up_, ahead_;
+  bool boosts_ = false;
   double speed_ = 0;  // m/s, forward
   std::vector<Standing> standing_;
 };

@@ -122,6 +122,36 @@ class Game(WindowTest):
         game.die()
         self.assertEqual({name: self.kept(name) for name in kept}, kept)
 
+    def test_a_finished_match_comes_back_from_the_editor_as_its_result(self):
+        game = self.open("play", self.write_rules(times={"match": 2}))
+        game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")
+        game.pause(1.5)
+        game.click("inspect", 0.5, 0.5)
+        game.wait_for_title("scene.json - Kerf")
+        game.press("F5")
+        game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the result is not kept")
+        game.press("Escape")
+        game.pause(5)
+        self.assertIn("replay", game.landmarks()["parts"])
+        self.assertEqual(len(self.kept("scores.json")["scores"]), 1)
+
+    def test_menus_work_with_keys_alone_in_a_small_window(self):
+        game = self.open("play", "--size", "640x400")
+        game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")
+        game.pause(0.5)
+        _, y, _, height = game.landmarks()["parts"]["start"]
+        self.assertLessEqual(y + height, 400)
+        game.press("Enter")
+        game.wait_for(lambda: self.playing(game), "the lesson never began")
+        game.press("Enter")
+        game.pause(1)
+        for keys in (("Tab", "Shift+Tab", "Space"), ("Down", "Up", "Enter")):
+            self.open_menu(game)
+            for key in keys:
+                game.press(key)
+                game.pause(0.2)
+            game.wait_for(lambda: self.playing(game), f"{keys} never resumed the match")
+
     def test_the_editor_is_unchanged_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
         self.begin_from_editor(editor)

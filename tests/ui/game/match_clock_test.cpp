@@ -50,5 +50,17 @@ TEST(MatchClock, runs_at_quarter_speed_in_slow_motion) {
   EXPECT_NEAR(ticks, 60, 1);
 }
 
+TEST(MatchClock, stops_for_a_moment_and_follows_its_pace) {
+  MatchClock clock;
+  clock.stop(0.05);
+  EXPECT_EQ(clock.advance(0.025), 0);
+  EXPECT_EQ(clock.pace(), 0);
+  EXPECT_EQ(clock.advance(0.05), 3) << "half of this time is stopped";
+  clock.set_pace(0.6);
+  int ticks = 0;
+  for (int i = 0; i < 50; ++i) ticks += clock.advance(0.02);
+  EXPECT_NEAR(ticks, 72, 1);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -30,6 +30,31 @@ TEST(EndReason, names_the_lost_part_and_the_attacker) {
   EXPECT_EQ(end_reason(match), "Your engine was cut off");
 }
 
+TEST(HudState, own_losses_are_no_clean_cuts_and_points_fly_from_their_place) {
+  Match match({test::flat_rules(1, 1), 1, Difficulty::kNormal});
+  HudState hud;
+  const auto tell = [&](Event event) {
+    const_cast<std::vector<Event>&>(match.events()) = {event};
+    hud.on_tick(match);
+  };
+  tell({Event::Kind::kCleanPart, Match::kPlayer, 1});
+  EXPECT_TRUE(hud.notices().empty());
+  tell({Event::Kind::kRighted, Match::kPlayer, Event::kNobody, 0});
+  EXPECT_EQ(hud.notices().front().text, "Freed");
+  tell({Event::Kind::kRighted, Match::kPlayer, Event::kNobody, Event::kFlipped});
+  EXPECT_EQ(hud.notices().front().text, "Flipped upright");
+  Event wheel{Event::Kind::kWheelLost, 1, Match::kPlayer};
+  wheel.at = {1, 2, 3};
+  wheel.points = 100;
+  tell(wheel);
+  wheel.kind = Event::Kind::kCleanPart;
+  wheel.points = 50;
+  tell(wheel);
+  ASSERT_EQ(hud.points().size(), 1u);
+  EXPECT_EQ(hud.points().front().points, 150);
+  EXPECT_EQ(hud.points().front().at, Vec3(1, 2, 3));
+}
+
 TEST(WheelName, is_unique_and_readable) {
   const VehicleDescription& what = test::hatchback()->description;
   std::set<std::string> names;

@@ -15,10 +15,11 @@ struct Sound {
 };
 
 std::vector<Sound> all_sounds() {
-  return {{"engine", engine_loop(), true},    {"laser", laser_loop(), true},
-          {"cutting", cutting_loop(), true},  {"impact", impact_sound(), false},
-          {"sheet", sheet_sound(), false},    {"explosion", explosion_sound(), false},
-          {"good", chime_sound(true), false}, {"bad", chime_sound(false), false}};
+  return {{"engine", engine_loop(), true},         {"laser", laser_loop(), true},
+          {"cutting", cutting_loop(), true},       {"warning", warning_loop(), true},
+          {"impact", impact_sound(), false},       {"sheet", sheet_sound(), false},
+          {"explosion", explosion_sound(), false}, {"good", chime_sound(true), false},
+          {"bad", chime_sound(false), false}};
 }
 
 double loudness(const Wave& wave) {

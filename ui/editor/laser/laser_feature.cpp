@@ -318,6 +318,8 @@ class LaserFeature : public Feature {
     chart_.clear();
     workspace_.links.cut_once = false;
     workspace_.laser.fit(workspace_.world().loaded_bounds().diagonal());
+    if (const auto radius = radius_of_entry(head_entry(workspace_.session.scene, kEmitterKey)))
+      workspace_.laser.radius = *radius;
   }
 
   void draw_overlay(ImDrawList& list) override {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/laser_controls.h"
 
 struct ImDrawList;
 
@@ -85,8 +86,6 @@ std::vector<EmitterHandle> emitter_handles(const Emitter& emitter, const Primary
 
 // Draws the emitter, its line of aim and its handles, with the handle at `pointer` highlighted.
 void draw_emitter(const Emitter& emitter, const PrimaryViewport& picture, Vec2 pointer, ImDrawList& list);
-
-inline constexpr const char* kEmitterKey = "emitter";
 
 // Writes the entry of the emitter in the head of a document: {"at": [x, y, z], "target": [x, y, z] (m),
 // "in_shots", "pace": shots/s}; null if no emitter is placed.

@@ -7,6 +7,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/user_input.h"
@@ -15,6 +16,12 @@
 #include "ui/window/widgets.h"
 
 namespace kerf {
+
+std::optional<double> radius_of_entry(const nlohmann::json& entry) {
+  if (!entry.is_object() || !entry.contains("radius") || !entry["radius"].is_number()) return std::nullopt;
+  const double radius = entry["radius"].get<double>();
+  return radius > 0 ? std::optional(radius) : std::nullopt;
+}
 
 Resolution ResolutionControls::of(double radius) const {
   KERF_ASSERT(radius > 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "core/cut/cut_step.h"
@@ -10,6 +11,12 @@
 #include "ui/render/view/camera.h"
 
 namespace kerf {
+
+// The entry of the emitter in the head of a document.
+inline constexpr const char* kEmitterKey = "emitter";
+
+// Returns the beam radius [m] of such an entry, which worlds from the game have.
+std::optional<double> radius_of_entry(const nlohmann::json& entry);
 
 struct ResolutionControls {
   Scheme scheme = Scheme::kLongestEdge;

@@ -348,5 +348,21 @@ TEST(Match, resumes_from_the_start_of_a_wave) {
   EXPECT_EQ(match.world().body(match.vehicles()[Match::kPlayer].chassis).placement.position, Vec3(3, 0, 4));
 }
 
+TEST(Match, an_enemy_aims_for_a_while_before_its_first_beam) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
+  for (EnemySkill& skill : rules->description.skills) skill = {.reaction = 0.1, .fire = 1, .max_firing = 1};
+  rules->description.laser.range = 100;
+  Match match({rules, 1, Difficulty::kNormal});
+  std::optional<double> announced;
+  const Gun& gun = match.vehicles()[1].gun;
+  while (!gun.firing && match.standing().ticks < 60 * kTicksPerSecond) {
+    match.tick({});
+    if (match.vehicles()[1].is_announcing() && !announced)
+      announced = seconds_of_ticks(match.standing().ticks);
+  }
+  ASSERT_TRUE(announced && gun.firing);
+  EXPECT_NEAR(seconds_of_ticks(match.standing().ticks) - *announced, Match::kWarning, 0.02);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 const std::string kHead =
-    R"({"kerf":"match","format":1,"program":"0.2.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
+    R"({"kerf":"match","format":2,"program":"0.2.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
     R"("difficulty":"hard"})";
 const std::string kInputs = R"({"inputs":[[2,100,-5,0,1,30,-200,17]]})";
 
@@ -53,6 +53,8 @@ TEST_F(RecordingFile, random_controls_round_trip) {
     c.steer = static_cast<int8_t>(within(Controls::kFull));
     c.handbrake = random.below(2) == 0;
     c.fire = random.below(2) == 0;
+    c.boost = random.below(2) == 0;
+    c.upgrade = static_cast<uint8_t>(random.below(Controls::kUpgrades + 1));
     c.width = static_cast<uint8_t>(random.below(Controls::kFull + 1));
     c.heading = within(31'416);
     c.pitch = within(15'708);
@@ -95,19 +97,21 @@ TEST_F(RecordingFile, rejects_an_invalid_header) {
   EXPECT_TRUE(refused("abcdef", "abcdxf"));
   EXPECT_TRUE(refused("\"hard\"", "\"lethal\""));
   EXPECT_TRUE(refused(",\"seed\":7", ""));
-  EXPECT_TRUE(refused("\"format\":1", "\"format\":" + std::to_string(kRecordingFormat + 1)));
+  EXPECT_TRUE(refused("\"format\":2", "\"format\":" + std::to_string(kRecordingFormat + 1)));
   EXPECT_FALSE(read(""));
 }
 
-TEST_F(RecordingFile, rejects_files_without_a_format_version) {
-  std::string head = kHead;
-  const std::string format = R"("format":1,"program":"0.2.0")";
-  head.replace(head.find(format), format.size(), R"("version":5)");
-  const auto recording = read(head + "\n" + kInputs + "\n");
-  ASSERT_FALSE(recording);
-  EXPECT_EQ(recording.error().code, ErrorCode::kBadInput);
-  EXPECT_NE(recording.error().message.find("before Kerf 0.2"), std::string::npos)
-      << recording.error().message;
+TEST_F(RecordingFile, rejects_files_of_older_formats_and_without_one) {
+  const std::string format = R"("format":2,"program":"0.2.0")";
+  for (const char* const older : {R"("version":5)", R"("format":1,"program":"0.2.0")"}) {
+    std::string head = kHead;
+    head.replace(head.find(format), format.size(), older);
+    const auto recording = read(head + "\n" + kInputs + "\n");
+    ASSERT_FALSE(recording);
+    EXPECT_EQ(recording.error().code, ErrorCode::kBadInput);
+    EXPECT_NE(recording.error().message.find("before Kerf 0.2"), std::string::npos)
+        << recording.error().message;
+  }
 }
 
 TEST_F(RecordingFile, is_identified_by_its_first_bytes) {

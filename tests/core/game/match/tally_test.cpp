@@ -86,5 +86,33 @@ TEST_F(TallyTest, a_quarter_of_a_chassis_coming_off_is_reported_as_cut_in_half) 
   EXPECT_EQ(tally.standing().pieces, 1u);
 }
 
+TEST_F(TallyTest, only_pieces_that_the_player_cut_off_others_count_as_cut) {
+  const Detached piece{stage.vehicle.chassis, 1, stage.vehicle.chassis, false};
+  cut(1, Tally::kPlayer);
+  tally.record_piece(piece, chassis(), Tally::kPlayer, &stage.vehicle, false);
+  tally.record_piece(piece, chassis(), 2, &stage.vehicle, false);
+  EXPECT_EQ(tally.standing().pieces_cut, 0u);
+  cut(Tally::kPlayer, 2);
+  tally.record_piece(piece, chassis(), 2, &stage.vehicle, false);
+  EXPECT_EQ(tally.standing().pieces_cut, 1u);
+}
+
+TEST_F(TallyTest, different_parts_within_four_seconds_multiply_their_points) {
+  const auto lose = [&](size_t wheel) {
+    Damage damage;
+    damage.wheels = {wheel};
+    tally.record_damage(stage.world, 1, stage.vehicle, damage);
+    return tally.events().back();
+  };
+  cut(Tally::kPlayer, 1);
+  EXPECT_EQ(lose(0).points, 1);
+  EXPECT_EQ(lose(0).combo, 1u) << "the same part of another car";
+  EXPECT_EQ(lose(1).points, 2);
+  tally.standing().ticks += 3 * kTicksPerSecond;
+  EXPECT_EQ(lose(2).points, 3);
+  tally.standing().ticks += 5 * kTicksPerSecond;
+  EXPECT_EQ(lose(3).points, 1);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -1,0 +1,89 @@
+#include "core/game/match/cut_motion.h"
+
+#include <algorithm>
+
+#include "core/base/assert.h"
+#include "core/game/vehicle/vehicle.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kMemory = 0.9;                  // of the motion of a cut, per tick with a cut
+constexpr double kAcross = 0.8, kAlong = 0.4;    // m/s
+constexpr double kTurn = 1.5, kHeavyTurn = 0.5;  // rad/s
+constexpr double kPop = 2, kPopTurn = 4;         // m/s and rad/s
+constexpr double kPopUp = 0.35;                  // fraction of the speed
+
+Vec3 unit_or_zero(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Vec3(0);
+}
+
+// The centre of mass, roughly: exact sums may lag behind the cuts.
+Vec3 centre_of(const Body& body) {
+  const Bounds box = body.bounds();
+  return body.placement.to_world(0.5 * (box.min + box.max));
+}
+
+double mass_of_sheet(const Body& body) { return area_of(body) * body.sheet.thickness * body.sheet.density; }
+
+// Normal of the plane that the beam swept, towards the part. Without a stroke the parts move apart as their
+// centres lie.
+Vec3 across_cut(const Vec3& apart, const CutTrail* trail) {
+  const Vec3 normal = trail ? unit_or_zero(glm::cross(trail->direction, trail->along)) : Vec3(0);
+  const double side = glm::dot(normal, apart);
+  if (side != 0) return side > 0 ? normal : -normal;
+  const Vec3 way = unit_or_zero(apart);
+  return way != Vec3(0) ? way : Vec3(0, 1, 0);
+}
+
+// Changes the velocity of the centre of mass, and turns the top of a body into the same direction.
+void add_motion(Body& body, const Vec3& change, double turn) {
+  const Vec3 spin = turn * unit_or_zero(glm::cross(Vec3(0, 1, 0), change));
+  body.motion.wake();
+  body.motion.velocity += change - glm::cross(spin, centre_of(body) - body.placement.position);
+  body.motion.spin += spin;
+}
+
+}  // namespace
+
+void CutTrails::record(BodyId body, const Vec3& at, const Vec3& direction) {
+  KERF_ASSERT(is_unit(direction));
+  const auto [found, is_new] = trails_.try_emplace(body, CutTrail{at, direction, Vec3(0)});
+  if (is_new) return;
+  CutTrail& trail = found->second;
+  const Vec3 way = at - trail.at;
+  trail.along = kMemory * trail.along + way - glm::dot(way, direction) * direction;
+  trail.at = at;
+  trail.direction = direction;
+}
+
+const CutTrail* CutTrails::of(BodyId body) const {
+  const auto found = trails_.find(body);
+  return found == trails_.end() ? nullptr : &found->second;
+}
+
+Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest) {
+  if (part.tree.leaf_count() == 0) return {0, 1, 0};
+  const Vec3 from = rest.tree.leaf_count() > 0 ? centre_of(rest) : trail ? trail->at : centre_of(part);
+  const Vec3 across = across_cut(centre_of(part) - from, trail);
+  const Vec3 along = trail ? unit_or_zero(trail->along) : Vec3(0);
+  Vec3 change = kAcross * across + kAlong * along;
+  const bool heavy = mass_of_sheet(part) > kHeavyPart;
+  if (heavy) change.y = 0;
+  add_motion(part, change, heavy ? kHeavyTurn : kTurn);
+  if (moves_rest && !rest.pinned && rest.tree.leaf_count() > 0 && mass_of_sheet(rest) <= kHeavyPart)
+    add_motion(rest, -change, kTurn);
+  return across;
+}
+
+void pop_off(Body& part, const Vec3& outward, const CutTrail* trail) {
+  KERF_ASSERT(is_unit(outward));
+  if (part.tree.leaf_count() == 0) return;
+  const Vec3 along = trail ? unit_or_zero(trail->along) : Vec3(0);
+  const Vec3 way = unit_or_zero(outward + Vec3(0, kPopUp, 0) + 0.5 * along);
+  add_motion(part, kPop * way, kPopTurn);
+}
+
+}  // namespace kerf

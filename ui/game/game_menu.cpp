@@ -275,7 +275,6 @@ MenuChoice draw_start_menu(const StartView& view) {
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
   if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
   ImGui::PopStyleColor();
-  ImGui::SetItemDefaultFocus();
   if (menu_button("Tutorial", "lesson")) choice = MenuChoice::kLesson;
   if (menu_button(view.from_editor ? "Back to Editor (Esc)" : "Quit (Esc)", "leave"))
     choice = MenuChoice::kLeave;

@@ -117,9 +117,9 @@ void HudState::on_tick(const Match& match) {
   }
 }
 
-// Points won at one place in one moment are one number.
+// Points won at one place in one moment are one number. Small pieces would hide the parts.
 void HudState::add_points(const Event& event) {
-  if (!(event.points > 0)) return;
+  if (!(event.points > 0) || event.kind == Kind::kPieceOff) return;
   if (!points_.empty() && points_.back().age == 0 &&
       glm::distance(points_.back().at, event.at) < kPointsTogether) {
     points_.back().points += event.points;

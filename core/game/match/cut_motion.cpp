@@ -71,7 +71,7 @@ Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest)
   const Vec3 along = trail ? unit_or_zero(trail->along) : Vec3(0);
   Vec3 change = kAcross * across + kAlong * along;
   const bool heavy = mass_of_sheet(part) > kHeavyPart;
-  if (heavy) change.y = 0;
+  if (heavy) change = kAcross * unit_or_zero(change * Vec3(1, 0, 1));
   add_motion(part, change, heavy ? kHeavyTurn : kTurn);
   if (moves_rest && !rest.pinned && rest.tree.leaf_count() > 0 && mass_of_sheet(rest) <= kHeavyPart)
     add_motion(rest, -change, kTurn);

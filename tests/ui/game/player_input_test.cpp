@@ -184,7 +184,9 @@ TEST(SteadyAim, lasts_two_seconds_and_refills_in_six) {
   for (int i = 0; i < 400; ++i) {
     steady.advance(true, 0.01);
     on += steady.is_on() ? 0.01 : 0;
-    if (i == 100) EXPECT_NEAR(steady.aim_factor(), SteadyAim::kAim, 1e-3);
+    if (i == 100) {
+      EXPECT_NEAR(steady.aim_factor(), SteadyAim::kAim, 1e-3);
+    }
   }
   EXPECT_NEAR(on, SteadyAim::kSeconds, 0.02) << "held after it is used up, it stays off";
   EXPECT_NEAR(steady.time_factor(), 1, 1e-3);

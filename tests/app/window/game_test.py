@@ -136,7 +136,8 @@ class Game(WindowTest):
         self.assertEqual(len(self.kept("scores.json")["scores"]), 1)
 
     def test_menus_work_with_keys_alone_in_a_small_window(self):
-        game = self.open("play", "--size", "640x400")
+        game = self.open("play")
+        game.resize(640, 400)
         game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")
         game.pause(0.5)
         _, y, _, height = game.landmarks()["parts"]["start"]
@@ -145,7 +146,7 @@ class Game(WindowTest):
         game.wait_for(lambda: self.playing(game), "the lesson never began")
         game.press("Enter")
         game.pause(1)
-        for keys in (("Tab", "Shift+Tab", "Space"), ("Down", "Up", "Enter")):
+        for keys in (("Tab", "Up", "Space"), ("Down", "Up", "Enter")):
             self.open_menu(game)
             for key in keys:
                 game.press(key)

@@ -89,7 +89,7 @@ void describe_head(Fields& f, Recording& recording) {
         return format.wrong(
             "the match was recorded before Kerf 0.2: replay it with the version that recorded it");
       },
-      nullptr, kOptional);
+      [] { return nlohmann::ordered_json(kRecordingFormat); }, kOptional);
   f.format(kRecordingFormat);
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);

@@ -69,7 +69,7 @@ TEST_F(RecordingFile, random_controls_round_trip) {
 
 TEST_F(RecordingFile, reads_up_to_an_invalid_line) {
   for (const char* damaged : {R"({"inputs":[[0,0,0,0,0,0,0,0]]})", R"({"inputs":[[121,0,0,0,0,0,0,0]]})",
-                              R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,8,0,0,0,0]]})",
+                              R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,64,0,0,0,0]]})",
                               R"({"inputs":[[1,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,0,0,0,0.5,0]]})",
                               R"({"hash":"12"})", "[]", "{}", "{\"inputs\":"}) {
     const auto read_back = read(kHead + "\n" + kInputs + "\n" + damaged + "\n" + kInputs + "\n");

@@ -25,7 +25,7 @@ class TallyTest : public testing::Test {
   }
 
   test::LoneVehicle stage;
-  Scores scores{.wheel = 1, .kill = 100, .at_a_stroke = 1000};
+  Scores scores{.wheel = 1, .kill = 100, .at_a_stroke = 1000, .medals = {}};
   Tally tally{scores, {}, 0};
 };
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
@@ -31,7 +32,7 @@ namespace {
 
 // Options of `kerf cut`. The default of an empty option depends on the meshes and the path file.
 struct CutOptions {
-  std::vector<std::string> meshes;
+  std::vector<std::string> meshes, planes;
   std::string path, out, settings, journal, provenance;
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
@@ -67,6 +68,23 @@ Result<Interval> parse_range(const std::string& text) {
     return wrong;
   if (range.low < 0 || range.low > range.high) return wrong;
   return range;
+}
+
+// Parses "NX,NY,NZ,D", the plane of the points x with N.x = D.
+Result<KnifePlane> parse_plane(const std::string& text) {
+  const auto wrong = bad_input("--plane: " + text +
+                               ": must be NX,NY,NZ,D, four finite numbers with a normal that is not zero");
+  std::array<double, 4> numbers{};
+  std::string_view rest = text;
+  for (size_t i = 0; i < 4; ++i) {
+    const size_t comma = rest.find(',');
+    if ((i < 3) == (comma == std::string_view::npos)) return wrong;
+    if (!parse_number(rest.substr(0, comma), numbers[i]) || !std::isfinite(numbers[i])) return wrong;
+    if (i < 3) rest.remove_prefix(comma + 1);
+  }
+  const Vec3 normal(numbers[0], numbers[1], numbers[2]);
+  if (normal == Vec3(0)) return wrong;
+  return KnifePlane{normal, numbers[3]};
 }
 
 // Visits the options that a settings file may contain: key, allowed values, help.
@@ -250,6 +268,10 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
       ->required();
   command.add_option("--path", o.path,
                      "The strokes of the laser (JSON), or - for standard input; default: no strokes");
+  command.add_option(
+      "--plane", o.planes,
+      "NX,NY,NZ,D: cut along the plane N.x = D (metres) after the strokes, by a knife that removes "
+      "nothing; repeat for more planes");
   command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);
@@ -369,6 +391,9 @@ class CutRun {
     if (const auto s = check_cut_options(options_); !s) return s;
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
+    for (const std::string& plane : options_.planes) {
+      if (const Status s = unpack(parse_plane(plane), planes_.emplace_back()); !s) return s;
+    }
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
         options_.out,        options_.format.value_or("obj"),
@@ -380,6 +405,7 @@ class CutRun {
     if (const auto s = begin_journal(); !s) return s;
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
+    if (const auto s = cut_planes(); !s) return s;
     if (const auto s = settle(); !s) return s;
     // If the journal cannot be written, the pieces are.
     const Status journal = end_journal();
@@ -389,7 +415,7 @@ class CutRun {
     for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
     if (!job_.missed.empty())
       warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
-    summarize(cut_summary(job_, strokes_.size(), written->size(), options_.out));
+    summarize(cut_summary(job_, strokes_.size(), planes_.size(), written->size(), options_.out));
     return journal;
   }
 
@@ -530,17 +556,26 @@ class CutRun {
     const double share = 1 / std::max(1.0, static_cast<double>(strokes_.size()));
     for (size_t i = 0; i < strokes_.size(); ++i) {
       const double before = share * static_cast<double>(i);
-      job_.begin_stroke();
-      const auto s = cut(strokes_[i], share_of(&cutting, before, before + share));
+      const Progress own = share_of(&cutting, before, before + share);
+      const CutSettings settings = stroke_settings(options_, strokes_[i], diagonal_);
+      const auto s = settings.laser.radius == 0 ? cut_by_knife(strokes_[i], settings, own)
+                                                : cut(strokes_[i], settings, own);
       if (!s) return error_or_stopped(s.error());
-      job_.end_stroke();
       if (!options_.journal.empty()) mark_state(document_, marks_);
     }
     return Done{};
   }
 
-  Status cut(const StrokePath& stroke, const Progress& progress) {
-    const CutSettings settings = stroke_settings(options_, stroke, diagonal_);
+  Status cut_by_knife(const StrokePath& stroke, const CutSettings& settings, const Progress& progress) {
+    const Result<bool> met = run_knife(stroke_commands(stroke, settings).front(), progress);
+    if (!met) return met.error();
+    if (!*met) job_.missed.push_back(job_.strokes);
+    ++job_.strokes;
+    return Done{};
+  }
+
+  Status cut(const StrokePath& stroke, const CutSettings& settings, const Progress& progress) {
+    job_.begin_stroke();
     job_.thermal = settings.model == Model::kThermal;
     if (job_.thermal && scales_removal(settings) && !warned_scaled_) {
       warned_scaled_ = true;
@@ -557,6 +592,7 @@ class CutRun {
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
     }
+    job_.end_stroke();
     return Done{};
   }
 
@@ -577,6 +613,32 @@ class CutRun {
     const Status ran = run_queue(document_, how);
     if (ran) ++job_.steps;
     return ran;
+  }
+
+  Status cut_planes() {
+    const Stopwatch watch(job_.cut_s);
+    ProgressLine line("cutting");
+    const Progress cutting = line.progress();
+    for (size_t i = 0; i < planes_.size(); ++i) {
+      const Result<bool> met =
+          run_knife(CutPlane{planes_[i], {}, usual_face_budget(machine_memory())}, cutting);
+      if (!met) return error_or_stopped(met.error());
+      if (!*met) job_.notes.push_back("--plane " + options_.planes[i] + ": the plane crosses no mesh");
+      if (!options_.journal.empty()) mark_state(document_, marks_);
+    }
+    return Done{};
+  }
+
+  // Executes a command of the knife. Returns false if it met nothing.
+  Result<bool> run_knife(const Command& command, const Progress& progress) {
+    const auto began = Clock::now();
+    Outcome outcome = document_.apply(command, &progress);
+    if (!outcome.ok()) return outcome.error();
+    StepResult step;
+    step.delta = std::move(outcome.delta);
+    job_.record_step(step, document_.world(), std::chrono::duration<double>(Clock::now() - began).count());
+    ++job_.steps;
+    return !step.delta.empty();
   }
 
   // Simulates the falling pieces.
@@ -622,6 +684,7 @@ class CutRun {
 
   CutOptions options_;
   std::vector<StrokePath> strokes_;
+  std::vector<KnifePlane> planes_;
   SceneDescription scene_;
   std::optional<Substance> substance_;  // of all bodies
   Document document_;

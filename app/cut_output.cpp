@@ -31,13 +31,14 @@
 
 namespace kerf {
 
-std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder) {
+std::string cut_summary(const CutJob& job, size_t strokes, size_t planes, size_t pieces,
+                        const std::string& folder) {
   const auto count = [](size_t number, const char* noun) {
     return grouped(number) + " " + noun + (number == 1 ? "" : "s");
   };
   std::string text;
   if (strokes == 0) {
-    text = "no strokes given";
+    text = planes > 0 ? "cut along " + count(planes, "plane") : "no strokes given";
   } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
     text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
            std::to_string(std::lround(100 * job.depth_fraction())) + " % of the thickness";

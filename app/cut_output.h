@@ -9,7 +9,8 @@ namespace kerf {
 
 // Returns the outcome of a job in one line: "1 stroke removed 5 210 faces (12.3 cm²); 3 pieces and
 // report.json are in out".
-std::string cut_summary(const CutJob& job, size_t strokes, size_t pieces, const std::string& folder);
+std::string cut_summary(const CutJob& job, size_t strokes, size_t planes, size_t pieces,
+                        const std::string& folder);
 
 // Returns a message on the strokes that missed: "path.json: /strokes/1 and /strokes/4 met nothing".
 // Precondition: job.missed is not empty.

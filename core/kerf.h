@@ -496,6 +496,14 @@ class World {
     return cut(std::span(&stroke, 1), settings, options);
   }
 
+  // Cuts all visible bodies along the plane normal . x = distance by a knife of no width; see
+  // kerf_world_cut_plane. Throws InvalidArgument if the normal is zero or a number is not finite; Error;
+  // Cancelled; Busy.
+  void cut_plane(const std::array<double, 3>& normal, double distance, const CallOptions& options = {}) {
+    Run(options).call(
+        [&](const kerf_call_options* c) { return kerf_world_cut_plane(get(), normal.data(), distance, c); });
+  }
+
   // A stroke in steps; see kerf_stroke_begin. Throw InvalidArgument for an invalid argument or without a
   // stroke, Busy while another call or stroke uses the world.
   void begin_stroke(const Stroke& stroke, const CutSettings& settings = {}) {

@@ -426,6 +426,14 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);
 
+/* Cuts all visible bodies along a plane by a knife of no width, which removes nothing: faces are split
+ * exactly where the plane crosses them, both sides become pieces of their own, and those of solids are closed
+ * by walls. The plane holds the points x with normal . x = distance. A step of the history. normal: finite
+ * and not zero, of any length. options: may be null. Errors: KERF_INVALID_ARGUMENT; KERF_FAILED if a body
+ * would exceed the maximum number of faces; KERF_CANCELLED. O(faces). */
+KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal[3], double distance,
+                                          const kerf_call_options* options);
+
 /* Strokes in steps
  *
  * A stroke that is cut while the program draws frames: kerf_stroke_begin, kerf_stroke_add_pose as the beam

@@ -317,6 +317,13 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
   return done.error();
 }
 
+Status cut_plane(kerf_world& world, const KnifePlane& plane, const Progress& progress) {
+  if (!is_finite(plane.normal) || plane.normal == Vec3(0) || !std::isfinite(plane.distance))
+    return bad_input("normal and distance: must be finite, and the normal not zero");
+  const auto cut = apply_edit(world, CutPlane{plane, {}, usual_face_budget(machine_memory())}, progress);
+  return cut ? Status(Done{}) : cut.error();
+}
+
 }  // namespace
 }  // namespace kerf
 
@@ -335,5 +342,13 @@ kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t
     done->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (result != nullptr) kerf::write_struct(*done, *result);
     return kerf::Done{};
+  });
+}
+
+kerf_result kerf_world_cut_plane(kerf_world* world, const double normal[3], double distance,
+                                 const kerf_call_options* options) {
+  if (normal == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "normal: must not be null");
+  return kerf::change_world(world, options, [&](const kerf::Progress& progress) {
+    return kerf::cut_plane(*world, {{normal[0], normal[1], normal[2]}, distance}, progress);
   });
 }

@@ -76,6 +76,13 @@ inline constexpr float kBinScale = 0.9999f;
 // million edits its error is about 1e-10 of the initial sum.
 inline constexpr double kEqualArea = 1e-9;
 
+// The knife -------------------------------------------------------------------------------------------------
+
+// A vertex lies on the plane of a knife if its computed distance is at most this fraction of the bound of the
+// terms that it is a sum of. Rounding errs by at most 2^-51 of that bound, so the sign of a smaller distance
+// is unknown; a larger one keeps the split point of an edge apart from its ends.
+inline constexpr double kOnKnife = 0x1p-50;
+
 // The smooth rim --------------------------------------------------------------------------------------------
 // Lengths are relative to the radius of the beam. Together they keep the rim within 0.005 radii of the exact
 // boundary of the swept volume, as the tests require.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/document/text/fields.h"
 #include "core/edit/detach.h"
@@ -249,6 +250,45 @@ Result<Delta> TurnShells::run(World& world, uint32_t generation, const Progress*
         return turn_shells(mesh, working);
       },
       progress);
+}
+
+// The fields that all commands of the knife share.
+template <typename C>
+static void describe_knife(Fields& f, C& c) {
+  bodies_field(f, "bodies", c.bodies);
+  f.whole("most-faces", c.max_faces, 1, uint64_t{1} << 32, CutSettings::kMaxFaces);
+}
+
+static std::vector<BodyId> bodies_to_cut(const World& world, const std::vector<BodyId>& bodies) {
+  CutSettings settings;
+  settings.bodies = bodies;
+  return cuttable(world, settings);
+}
+
+static Result<Delta> delta_of(Result<StepResult> result) {
+  if (!result) return result.error();
+  return std::move(result->delta);
+}
+
+void describe(Fields& f, CutPlane& c) {
+  f.vector("normal", c.plane.normal, VectorRule::kNotZero);
+  f.number("distance", c.plane.distance, kFinite);
+  describe_knife(f, c);
+}
+
+Result<Delta> CutPlane::run(World& world, uint32_t, const Progress* progress) const {
+  return delta_of(cut_with_plane(world, plane, bodies_to_cut(world, bodies), max_faces, progress));
+}
+
+void describe(Fields& f, CutPath& c) {
+  f.list("poses", "poses", c.path.poses);
+  f.check(c.path.poses.size() >= 2, "poses", "must hold at least two");
+  f.interval("range", c.path.range);
+  describe_knife(f, c);
+}
+
+Result<Delta> CutPath::run(World& world, uint32_t, const Progress* progress) const {
+  return delta_of(cut_with_path(world, path, bodies_to_cut(world, bodies), max_faces, progress));
 }
 
 void describe(Fields& f, AddMesh& c) {

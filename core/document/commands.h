@@ -11,6 +11,7 @@
 #include "core/base/ids.h"
 #include "core/base/parallel.h"
 #include "core/cut/cut_step.h"
+#include "core/cut/knife.h"
 #include "core/document/extract.h"
 #include "core/mesh/remesh/openmesh_tools.h"
 #include "core/mesh/remesh/remeshed.h"
@@ -231,6 +232,30 @@ struct TurnShells {
 };
 void describe(Fields& f, TurnShells& c);
 
+// Cuts bodies along a plane by a cut of no width (see cut_with_plane).
+struct CutPlane {
+  KnifePlane plane;
+  std::vector<BodyId> bodies{};               // empty: all visible ones
+  size_t max_faces = CutSettings::kMaxFaces;  // of a body after the cut
+
+  static constexpr const char* kName = "cut-plane";
+  size_t weight() const { return bodies.size() * sizeof(BodyId); }
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, CutPlane& c);
+
+// Cuts bodies along the surface of a path by a cut of no width (see cut_with_path).
+struct CutPath {
+  KnifePath path;
+  std::vector<BodyId> bodies{};               // empty: all visible ones
+  size_t max_faces = CutSettings::kMaxFaces;  // of a body after the cut
+
+  static constexpr const char* kName = "cut-path";
+  size_t weight() const { return path.poses.size() * sizeof(Pose) + bodies.size() * sizeof(BodyId); }
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, CutPath& c);
+
 // Adds a body to the world from a mesh file.
 struct AddMesh {
   std::filesystem::path file;
@@ -271,10 +296,11 @@ struct Redo {
 //   weight()   the memory that it owns in addition to its own size [bytes]; only if it owns some
 // and, if it has data, describe(), the table of its keys in a journal (see Fields). Kinds are always
 // distinguished by std::visit, so that a missing case does not compile.
-using Command = std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut, AdvanceTime, DragBody,
-                             ReleaseBody, Play, AddMesh, MovePiece, DuplicatePiece, HidePiece, DeletePiece,
-                             RenamePiece, PinPiece, SetSheetProperties, SetSolid, SimplifyPiece,
-                             SubdividePiece, SmoothPiece, TurnShells, SetEnvironment, Undo, Redo>;
+using Command =
+    std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut, AdvanceTime, DragBody, ReleaseBody,
+                 Play, AddMesh, MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece,
+                 SetSheetProperties, SetSolid, SimplifyPiece, SubdividePiece, SmoothPiece, TurnShells,
+                 CutPlane, CutPath, SetEnvironment, Undo, Redo>;
 
 // A command that executes immediately, after the queue. run(world, generation, progress) returns the
 // changes, which are empty if the command has no effect. Bodies that it creates get `generation` (see

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
@@ -53,8 +54,10 @@ Vec3 readable_direction(const Vec3& unit) {
   return unit;
 }
 
+constexpr NumberRange kRadius{0, std::numeric_limits<double>::max(), "m"};
+
 void laser_fields(Fields& f, StrokePath& stroke) {
-  f.number("radius", stroke.radius, kPositive);
+  f.number("radius", stroke.radius, kRadius);
   f.interval("range", stroke.range);
   f.number("power", stroke.power, kPositive);
   f.number("wavelength", stroke.wavelength, kPositive);
@@ -111,6 +114,8 @@ void describe(Fields& f, StrokePath& stroke) {
   f.elements("keys", "keys", kNeeded, stroke.keys,
              [&](size_t k, Fields& key) { key_fields(key, stroke, k); });
   f.check(!stroke.keys.empty(), "keys", "must contain at least one key");
+  f.check(stroke.radius != 0.0 || stroke.keys.size() > 1, "keys",
+          "must contain two keys for a knife of radius 0");
 }
 
 std::string path_file_text(std::span<const StrokePath> strokes) {
@@ -193,6 +198,8 @@ double default_heat_width(double radius) {
 
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {
   KERF_ASSERT(!stroke.keys.empty() && stroke.keys.size() == stroke.times.size());
+  if (settings.laser.radius == 0)
+    return {CutPath{{stroke.keys, settings.laser.range}, settings.bodies, settings.max_faces}};
   std::vector<Command> commands{BeginStroke{settings, stroke.keys.front()}};
   for (size_t k = 1; k < stroke.keys.size(); ++k)
     commands.emplace_back(MoveBeam{stroke.keys[k], stroke.times[k] - stroke.times.front()});

@@ -183,6 +183,17 @@ std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const 
   return added;
 }
 
+void BodyEdit::open_edges(std::span<const Mesh::Side> sides) {
+  KERF_ASSERT(is_settled(*body_) && splits_.empty() && removed_.empty());
+  std::vector<Mesh::Side> others(sides.begin(), sides.end());
+  for (const Mesh::Side& s : sides) mesh().append_edge_sides(s.face, s.from, s.to, others);
+  for (const Mesh::Side& s : others) {
+    forget_pair(s.face);
+    edited_.push_back(s.face);
+  }
+  body_->mesh.open_edges(sides, moved_);
+}
+
 // The tree stores the vertices of faces, so that the changed faces must be refitted.
 bool BodyEdit::split_fans(FaceAddition& addition, size_t most) {
   return addition.split_fans(body_->mesh, most, moved_);

@@ -49,6 +49,12 @@ class BodyEdit {
   // if the body has none. Precondition: the body is settled.
   std::vector<FaceId> add_walls(FaceAddition& addition, std::span<const FaceId> beside);
   bool split_fans(FaceAddition& addition, size_t most);
+  void weld(FaceAddition& addition, uint32_t v, VertexId other) {
+    addition.weld(body_->mesh, v, other, moved_);
+  }
+  // Disconnects sides from the other faces on their edges (see Mesh::open_edges). Call search_from() before
+  // the body is searched for parts again. Precondition: update_tree() was called after the last split.
+  void open_edges(std::span<const Mesh::Side> sides);
   VertexId add_vertex(const Vec3& position) { return body_->mesh.add_vertex(position); }
   // Merges the connected parts of two faces that a wall has joined. Precondition: their labels are equal.
   void join_parts(FaceId a, FaceId b) { kerf::join_parts(*body_, a, b); }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cassert>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -220,6 +221,81 @@ std::vector<FaceId> FaceAddition::add(Mesh& mesh, std::span<const FaceData> data
   return added;
 }
 
+void FaceAddition::weld(Mesh& mesh, uint32_t v, VertexId other, std::vector<FaceId>& changed) {
+  HalfEdges& m = mesh.kernel_->half_edges;
+  KERF_ASSERT(added_ == 0 && m.position(other) == m.position(vertices_[v]));
+  record_half_edges(*mesh.kernel_, v);
+  std::vector<HalfEdgeId> moved;
+  m.for_each_outgoing(other, [&](HalfEdgeId h) { moved.push_back(h); });
+  for (const HalfEdgeId h : moved) {
+    m.set_to(opposite(h), vertices_[v]);
+    append(v, h);
+    if (m.face(h).valid()) changed.push_back(m.face(h));
+  }
+  m.set_outgoing(other, HalfEdgeId());
+}
+
+uint32_t FaceAddition::index_of(VertexId v) const {
+  return static_cast<uint32_t>(std::ranges::lower_bound(vertices_, v) - vertices_.begin());
+}
+
+// Moves the face of a half-edge to a new edge with the same ends, and returns its half-edge there.
+HalfEdgeId FaceAddition::part_from(Mesh::Kernel& kernel, HalfEdgeId side) {
+  HalfEdges& m = kernel.half_edges;
+  const HalfEdgeId own = m.add_edge(m.from(side), m.to(side));
+  append(index_of(m.from(side)), own);
+  append(index_of(m.to(side)), opposite(own));
+  const FaceId f = m.face(side);
+  const HalfEdgeId next = m.next(side), previous = m.previous(side);
+  m.set_face(side, FaceId());
+  m.close(f, own, next, previous);
+  return own;
+}
+
+// Each edge of a ring stays in the ring of the other sides, moves to the ring of the listed ones, or, if it
+// has a face of either kind, is replaced by one edge in each.
+void FaceAddition::open(Mesh& mesh, std::span<const Mesh::Side> sides) {
+  Mesh::Kernel& k = *mesh.kernel_;
+  HalfEdges& m = k.half_edges;
+  for (uint32_t v = 0; v < vertices_.size(); ++v) record_half_edges(k, v);
+  std::vector<HalfEdgeId> listed;
+  for (const Mesh::Side& s : sides) {
+    HalfEdgeId h = m.first(s.face);
+    while (m.from(h) != s.from) h = m.next(h);
+    KERF_ASSERT(m.to(h) == s.to);
+    listed.push_back(h);
+  }
+  std::sort(listed.begin(), listed.end());
+  std::unordered_set<uint32_t> visited;  // edges; never iterated
+  std::vector<HalfEdgeId> ring, staying, leaving;
+  for (const HalfEdgeId start : listed) {
+    if (visited.contains(edge_of(start).index)) continue;
+    ring.assign(1, start);
+    for (HalfEdgeId h = next_in_ring(k, start); h != start; h = next_in_ring(k, h)) ring.push_back(h);
+    staying.clear();
+    leaving.clear();
+    for (const HalfEdgeId h : ring) {
+      visited.insert(edge_of(h).index);
+      const HalfEdgeId o = opposite(h);
+      const bool h_leaves = std::ranges::binary_search(listed, h),
+                 o_leaves = std::ranges::binary_search(listed, o);
+      const bool h_stays = !h_leaves && m.face(h).valid(), o_stays = !o_leaves && m.face(o).valid();
+      if (h_stays || o_stays) staying.push_back(h);
+      if (!h_leaves && !o_leaves) continue;
+      if (!h_stays && !o_stays) {
+        leaving.push_back(h);
+      } else {
+        leaving.push_back(h_leaves ? part_from(k, h) : opposite(part_from(k, o)));
+      }
+    }
+    if (ring.size() == 1) continue;
+    if (!staying.empty()) link_ring(k, staying);
+    link_ring(k, leaving);
+  }
+  if (!k.rings.empty()) add_isolated_rings(k);
+  for (uint32_t v = 0; v < vertices_.size(); ++v) link_boundaries(k, v);
+}
+
 bool FaceAddition::is_one_fan(const Mesh::Kernel& kernel, uint32_t v) const {
   const HalfEdges& m = kernel.half_edges;
   size_t listed = 0, around = 0;
@@ -274,6 +350,17 @@ bool FaceAddition::split_fans(Mesh& mesh, size_t most, std::vector<FaceId>& chan
     }
   }
   return parted_ == vertices_.size();
+}
+
+void Mesh::open_edges(std::span<const Side> sides, std::vector<FaceId>& changed) {
+  std::vector<VertexId> vertices;
+  for (const Side& s : sides) vertices.insert(vertices.end(), {s.from, s.to});
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const size_t count = vertices.size();
+  FaceAddition opening(std::move(vertices), {});
+  opening.open(*this, sides);
+  opening.split_fans(*this, count, changed);
 }
 
 VertexId Mesh::add_vertex(const Vec3& position) { return kernel_->half_edges.add_vertex(position); }

@@ -351,6 +351,12 @@ class Mesh {
   std::vector<FaceId> add_faces(std::span<const std::array<VertexId, 3>> corners,
                                 std::span<const FaceData> data);
 
+  // Disconnects sides from all other faces on their edges. Listed sides of one edge stay connected, and so do
+  // the others. A vertex whose faces are no longer connected over edges is replaced by several at its
+  // position; appends the faces whose corners change. Precondition: the faces are live and have the sides.
+  // O(n log n) in the sides and the degrees of their rings and vertices.
+  void open_edges(std::span<const Side> sides, std::vector<FaceId>& changed);
+
   // Removes a face; its slot remains and is marked dead. Precondition: f is live.
   void remove_face(FaceId f);
 
@@ -401,6 +407,10 @@ class FaceAddition {
   size_t faces() const { return corners_.size(); }
   size_t added() const { return added_; }
 
+  // Merges another vertex of the mesh at the position of vertices[v] with it, before any face is added.
+  // Appends the faces whose corners change.
+  void weld(Mesh& mesh, uint32_t v, VertexId other, std::vector<FaceId>& changed);
+
   // Adds the next data.size() faces and returns their slots. Precondition: added() + data.size() <= faces().
   std::vector<FaceId> add(Mesh& mesh, std::span<const FaceData> data);
 
@@ -425,6 +435,10 @@ class FaceAddition {
   void for_each_at(uint32_t v, Visit visit) const {
     for (uint32_t e = chains_[v].first; e != kNone; e = entries_[e].next) visit(entries_[e].half_edge);
   }
+  friend class Mesh;
+  void open(Mesh& mesh, std::span<const Mesh::Side> sides);
+  HalfEdgeId part_from(Mesh::Kernel& kernel, HalfEdgeId side);
+  uint32_t index_of(VertexId v) const;
   void append(uint32_t v, HalfEdgeId h);
   void record_half_edges(const Mesh::Kernel& kernel, uint32_t v);
   HalfEdgeId side(Mesh::Kernel& kernel, uint32_t from, uint32_t to);

@@ -139,6 +139,19 @@ struct Bits {
     bits.push_back(c.times);
   }
   void operator()(const TurnShells& c) { put(bits, c.piece); }
+  void operator()(const CutPlane& c) {
+    put(bits, c.plane.normal);
+    put(bits, c.plane.distance);
+    bits.push_back(c.max_faces);
+    for (const BodyId id : c.bodies) bits.insert(bits.end(), {id.slot, id.generation});
+  }
+  void operator()(const CutPath& c) {
+    for (const Pose& pose : c.path.poses) put(bits, pose);
+    put(bits, c.path.range.low);
+    put(bits, c.path.range.high);
+    bits.push_back(c.max_faces);
+    for (const BodyId id : c.bodies) bits.insert(bits.end(), {id.slot, id.generation});
+  }
   void operator()(const SetEnvironment& c) {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
@@ -213,7 +226,7 @@ Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(25)) {
+  switch (random.below(27)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -268,6 +281,14 @@ Command random_command(Random& random, const BeamAt& beam) {
       return StopStroke{random.uniform(0, 1000), random.below(100)};
     case 23:
       return TurnShells{random_piece(random)};
+    case 24: {
+      const CutSettings settings = random_settings(random);
+      return CutPlane{{random_direction(random), random_number(random)}, settings.bodies, settings.max_faces};
+    }
+    case 25: {
+      const CutSettings settings = random_settings(random);
+      return CutPath{{{beam.pose, pose}, settings.laser.range}, settings.bodies, settings.max_faces};
+    }
     default:
       return MoveBeam{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

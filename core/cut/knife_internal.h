@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/cut/cut_stages.h"
+#include "core/walls/section_walls.h"
+
+namespace kerf {
+
+// Parts that the cuts along a plane and along a path share.
+
+inline double distance_from(const SectionPlane& plane, const Vec3& p) {
+  return glm::dot(plane.normal, p) - plane.distance;
+}
+
+// Returns the distance from a plane below which a point of the body counts as lying on it (see kOnKnife).
+double distance_on(const SectionPlane& plane, const Bounds& bounds);
+
+// Returns the point where a plane crosses an edge of a face, equal for all faces of the edge and different
+// from their opposite corners. Precondition: the ends lie on different sides, further away than
+// distance_on().
+Vec3 plane_crossing(const Mesh& mesh, const SectionPlane& plane, const Mesh::Side& edge);
+
+// Returns the sides that have no other face on their sheet, with their present vertices: disconnecting edges
+// replaces vertices, but not positions. Appends the faces of the other sides to `others`.
+std::vector<RimSide> open_sides(const Mesh& mesh, std::span<const Mesh::Side> sides,
+                                std::vector<FaceId>& others);
+
+// Adds walls, and connects the parts at their rim.
+void add_section(BodyStep& step, const SectionWalls& walls);
+
+// Returns the error of a body with too many faces.
+Error too_many_knife_faces(size_t max_faces);
+
+}  // namespace kerf

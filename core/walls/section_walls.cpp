@@ -1,0 +1,233 @@
+#include "core/walls/section_walls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "core/base/assert.h"
+#include "core/base/containers.h"
+#include "core/mesh/files/triangulation.h"
+#include "core/mesh/weld.h"
+#include "core/walls/wall_mesh_internal.h"
+#include "core/walls/wall_side_internal.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr uint32_t kNoSuccessor = 0xffffffffu;
+
+// A closed chain of sides, in the direction of the walls, i.e. opposite to the sides.
+struct SectionLoop {
+  std::vector<uint32_t> sides;
+  Vec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+
+bool boxes_meet(const SectionLoop& a, const SectionLoop& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+// The projection of a plane along the coordinate axis nearest to its normal, which preserves the orientation
+// of faces with this normal.
+struct Projection {
+  explicit Projection(const Vec3& normal) {
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
+    }
+    first = (axis + 1) % 3;
+    second = (axis + 2) % 3;
+    if (normal[axis] < 0) std::swap(first, second);
+  }
+  Vec2 operator()(const Vec3& p) const { return {p[first], p[second]}; }
+
+  int first = 0, second = 0;  // axes
+};
+
+class SectionMaker {
+ public:
+  SectionMaker(const Mesh& mesh, std::span<const RimSide> sides, const SectionPlane& plane)
+      : mesh_(mesh), sides_(sides), plane_(plane), flat_(plane.normal) {}
+
+  Section make(bool closes) {
+    trace();
+    if (!closes) {
+      section_.left_open.clear();
+      return std::move(section_);
+    }
+    std::map<uint32_t, std::vector<uint32_t>> of_piece;
+    for (uint32_t i = 0; i < loops_.size(); ++i)
+      of_piece[mesh_.data(sides_[loops_[i].sides[0]].face).piece].push_back(i);
+    for (const auto& [piece, loops] : of_piece) close(loops);
+    return std::move(section_);
+  }
+
+ private:
+  Vec3 start_of(uint32_t side) const { return mesh_.position(sides_[side].to); }
+
+  // Divides the sides into chains, each of which follows the boundary of one sheet.
+  void trace() {
+    find_successors();
+    std::vector<bool> has_predecessor(sides_.size()), is_traced(sides_.size());
+    for (const uint32_t next : next_) {
+      if (next != kNoSuccessor) has_predecessor[next] = true;
+    }
+    for (const bool is_loop : {false, true}) {
+      for (uint32_t i = 0; i < sides_.size(); ++i) {
+        if (is_traced[i] || (!is_loop && has_predecessor[i])) continue;
+        SectionLoop chain;
+        for (uint32_t at = i; at != kNoSuccessor && !is_traced[at]; at = next_[at]) {
+          is_traced[at] = true;
+          chain.sides.push_back(at);
+          chain.low = glm::min(chain.low, flat_(start_of(at)));
+          chain.high = glm::max(chain.high, flat_(start_of(at)));
+        }
+        record(std::move(chain), is_loop);
+      }
+    }
+  }
+  void find_successors() {
+    std::vector<std::pair<VertexId, uint32_t>> starts;
+    for (uint32_t i = 0; i < sides_.size(); ++i) starts.emplace_back(sides_[i].to, i);
+    std::sort(starts.begin(), starts.end());
+    for (const RimSide& side : sides_) {
+      const auto next = std::lower_bound(starts.begin(), starts.end(), std::pair(side.from, 0u));
+      next_.push_back(next != starts.end() && next->first == side.from ? next->second : kNoSuccessor);
+    }
+  }
+  void record(SectionLoop chain, bool is_loop) {
+    section_.seeds.push_back(sides_[chain.sides[0]].face);
+    if (is_loop && chain.sides.size() >= 3) {
+      loops_.push_back(std::move(chain));
+    } else {
+      section_.left_open.push_back(left_open("the section does not close", start_of(chain.sides[0])).message);
+    }
+  }
+
+  // Closes loops of one piece together if they do not cross; otherwise those whose boxes meet, or each one.
+  void close(const std::vector<uint32_t>& loops) {
+    if (std::optional<SectionWalls> walls = cap(loops)) {
+      section_.walls.push_back(std::move(*walls));
+      return;
+    }
+    const std::vector<std::vector<uint32_t>> groups = groups_of(loops);
+    for (const std::vector<uint32_t>& group : groups) {
+      if (groups.size() > 1) {
+        close(group);
+      } else {
+        for (const uint32_t loop : group) section_.walls.push_back(clip_ears(loops_[loop]));
+      }
+    }
+  }
+  std::vector<std::vector<uint32_t>> groups_of(const std::vector<uint32_t>& loops) const {
+    UnionFind together(loops.size());
+    for (uint32_t i = 0; i < loops.size(); ++i) {
+      for (uint32_t k = 0; k < i; ++k) {
+        if (boxes_meet(loops_[loops[i]], loops_[loops[k]])) together.unite(i, k);
+      }
+    }
+    std::map<uint32_t, std::vector<uint32_t>> groups;
+    for (uint32_t i = 0; i < loops.size(); ++i) groups[together.find(i)].push_back(loops[i]);
+    std::vector<std::vector<uint32_t>> all;
+    for (auto& [first, group] : groups) all.push_back(std::move(group));
+    return all;
+  }
+
+  std::optional<SectionWalls> cap(const std::vector<uint32_t>& loops) const {
+    SectionWalls made;
+    WallPatch& patch = made.patch;
+    for (const uint32_t loop : loops) {
+      for (const uint32_t side : loops_[loop].sides) patch.sides.push_back(sides_[side]);
+    }
+    const std::vector<VertexId> vertices = vertices_of(patch.sides);
+    std::vector<Vec3> positions, at;
+    for (const VertexId v : vertices) positions.push_back(mesh_.position(v));
+    const std::vector<uint32_t> first = weld_positions(positions);
+    std::vector<uint32_t> number(vertices.size());
+    for (uint32_t i = 0; i < vertices.size(); ++i) {
+      if (first[i] != i) {
+        number[i] = number[first[i]];
+        made.welded.emplace_back(number[i], vertices[i]);
+        continue;
+      }
+      number[i] = static_cast<uint32_t>(at.size());
+      patch.rim.push_back(vertices[i]);
+      at.push_back(positions[i]);
+    }
+    const auto numbered = [&](VertexId v) {
+      return number[static_cast<size_t>(std::ranges::lower_bound(vertices, v) - vertices.begin())];
+    };
+    std::vector<PatchSide> rim;
+    for (const RimSide& side : patch.sides) rim.emplace_back(numbered(side.to), numbered(side.from));
+    auto faces = triangulate_section(at, rim, plane_.normal);
+    if (!faces) return std::nullopt;
+    patch.faces = std::move(*faces);
+    if (run_to_completion(fault_of(patch, rim))) return std::nullopt;
+    run_to_completion(separate_walls(patch, rim, patch.sides));
+    return made;
+  }
+
+  SectionWalls clip_ears(const SectionLoop& loop) const {
+    SectionWalls made;
+    WallPatch& patch = made.patch;
+    std::vector<Vec2> points;
+    for (const uint32_t side : loop.sides) {
+      patch.sides.push_back(sides_[side]);
+      patch.rim.push_back(sides_[side].to);
+      points.push_back(flat_(start_of(side)));
+    }
+    double area = 0;
+    for (size_t i = 1; i + 1 < points.size(); ++i)
+      area += cross2(points[i] - points[0], points[i + 1] - points[0]);
+    if (area < 0) std::reverse(points.begin(), points.end());
+    EarClipper().clip(points, patch.faces);
+    const auto last = static_cast<uint32_t>(points.size() - 1);
+    for (auto& [a, b, c] : patch.faces) {
+      if (area < 0) std::tie(a, b, c) = std::tuple(last - c, last - b, last - a);
+    }
+    patch.wall_of_face.assign(patch.faces.size(), 0);
+    patch.wall_of_side.assign(patch.sides.size(), 0);
+    patch.beside_wall = {patch.sides[0].face};
+    return made;
+  }
+
+  const Mesh& mesh_;
+  std::span<const RimSide> sides_;
+  const SectionPlane& plane_;
+  Projection flat_;
+  std::vector<uint32_t> next_;  // by side: the following one of its wall
+  std::vector<SectionLoop> loops_;
+  Section section_;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::span<const Vec3> at,
+                                                                        std::span<const PatchSide> sides,
+                                                                        const Vec3& normal) {
+  KERF_ASSERT(!sides.empty());
+  const Projection flat(normal);
+  std::vector<Vec2> places;
+  for (const Vec3& p : at) places.push_back(flat(p));
+  if (std::ranges::any_of(sides, [&](const PatchSide& s) { return places[s.first] == places[s.second]; }))
+    return std::nullopt;
+  constexpr double kNoGrading = std::numeric_limits<double>::infinity();
+  const std::function<Vec3(Vec2)> no_vertex = [](Vec2) { return Vec3(0); };
+  uint32_t conflict = 0;
+  const std::optional<WallMesh> mesh =
+      run_to_completion(triangulate_cap(places, at, sides, kNoGrading, no_vertex, conflict));
+  if (!mesh || mesh->vertices().size() != places.size()) return std::nullopt;
+  return mesh->triangles();
+}
+
+Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const SectionPlane& plane,
+                     bool closes) {
+  KERF_ASSERT(is_unit(plane.normal));
+  return SectionMaker(mesh, sides, plane).make(closes);
+}
+
+}  // namespace kerf

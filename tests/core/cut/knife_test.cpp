@@ -1,0 +1,354 @@
+#include "core/cut/knife.h"
+
+#include <gtest/gtest.h>
+
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/extract.h"
+#include "core/edit/separation.h"
+#include "core/mesh/measures.h"
+#include "core/world/body_mass.h"
+#include "tests/support/mesh_numbers.h"
+#include "tests/support/real_meshes.h"
+#include "tests/support/runs.h"
+#include "tests/support/same_world.h"
+#include "tests/support/solids.h"
+#include "tests/support/strokes.h"
+
+namespace kerf::test {
+namespace {
+
+double height(const KnifePlane& plane, const Vec3& p) { return glm::dot(plane.normal, p) - plane.distance; }
+
+double scale_of(const World& world) {
+  const Bounds bounds = world.bounds();
+  return glm::length(glm::max(glm::abs(bounds.min), glm::abs(bounds.max)));
+}
+
+KnifePlane random_plane(const World& world, Random& random) {
+  const Bounds bounds = world.bounds();
+  const Vec3 normal = random_direction(random);
+  Vec3 through;
+  for (int k = 0; k < 3; ++k) through[k] = random.uniform(bounds.min[k], bounds.max[k]);
+  return {normal, glm::dot(normal, through)};
+}
+
+// Passes through three corners of faces, or along an axis through one.
+KnifePlane plane_through_vertices(const World& world, Random& random) {
+  const Mesh& mesh = world.body(world.ids().front()).mesh;
+  const auto corner = [&] { return mesh.triangle(random_live_face(mesh, random))[random.below(3)]; };
+  const Vec3 a = corner();
+  Vec3 normal = glm::cross(corner() - a, corner() - a);
+  if (random.below(2) == 0 || glm::length(normal) == 0) {
+    normal = Vec3(0);
+    normal[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1 : -1;
+  }
+  normal = glm::normalize(normal);
+  return {normal, glm::dot(normal, a)};
+}
+
+// The area of the faces below a plane, and the volume that they enclose with the plane, by clipping each
+// triangle: a reference that knows no mesh.
+struct Clipped {
+  double area = 0, volume = 0;
+};
+Clipped clip_below(const Mesh& mesh, const KnifePlane& plane) {
+  const Vec3 origin = plane.normal * plane.distance;
+  Clipped sum;
+  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+    if (!mesh.is_live(FaceId(slot))) continue;
+    const Triangle t = mesh.triangle(FaceId(slot));
+    std::vector<Vec3> polygon;
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec3 a = t[i], b = t[(i + 1) % 3];
+      const double of_a = height(plane, a), of_b = height(plane, b);
+      if (of_a <= 0) polygon.push_back(a);
+      if ((of_a < 0 && of_b > 0) || (of_a > 0 && of_b < 0))
+        polygon.push_back(a + (b - a) * (of_a / (of_a - of_b)));
+    }
+    for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+      const Triangle part{polygon[0], polygon[i], polygon[i + 1]};
+      sum.area += triangle_area(part);
+      sum.volume += glm::dot(part[0] - origin, glm::cross(part[1] - origin, part[2] - origin)) / 6;
+    }
+  }
+  return sum;
+}
+
+double volume_of(const Body& body) { return enclosed_volume(body.mesh, body.middle()).volume; }
+
+World solid_world(const Soup& soup) {
+  World world = world_of(soup);
+  make_solid(only_body(world), true);
+  return world;
+}
+
+Delta cut(World& world, const KnifePlane& plane) {
+  const std::vector<BodyId> ids = world.ids();
+  const Result<StepResult> result = cut_with_plane(world, plane, ids);
+  EXPECT_TRUE(result.ok());
+  EXPECT_TRUE(is_settled(world));
+  return result->delta;
+}
+
+// Expects every connected part to lie on one side of the plane, and returns the faces of each.
+std::vector<std::vector<FaceId>> expect_parts_on_sides(const Body& body, const KnifePlane& plane,
+                                                       double slack) {
+  std::vector<std::vector<FaceId>> parts = faces_by_piece(body, true);
+  for (const auto& part : parts) {
+    double low = 0, high = 0;
+    for (const FaceId f : part) {
+      for (const Vec3& p : body.mesh.triangle(f)) {
+        low = std::min(low, height(plane, p));
+        high = std::max(high, height(plane, p));
+      }
+    }
+    EXPECT_TRUE(low >= -slack || high <= slack) << low << " to " << high;
+  }
+  return parts;
+}
+
+class KnifeOfSolids : public testing::TestWithParam<size_t> {};
+
+TEST_P(KnifeOfSolids, closes_both_sides_and_keeps_volume_and_area) {
+  const NamedSoup made = generated_solids()[GetParam()];
+  Random random(GetParam() + 1);
+  for (size_t run = 0; run < runs(30); ++run) {
+    World world = solid_world(made.soup);
+    const KnifePlane plane =
+        run % 2 == 0 ? random_plane(world, random) : plane_through_vertices(world, random);
+    SCOPED_TRACE(made.name + ", run " + std::to_string(run));
+    const Body& body = only_body(world);
+    const Clipped below = clip_below(body.mesh, plane);
+    const double volume = volume_of(body), area = live_area(body.mesh), size = scale_of(world);
+    const double slack = 1e-12 + 1e-15 * size * area / volume;
+    const Delta delta = cut(world, plane);
+    ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+    EXPECT_NEAR(live_area(body.mesh) - delta.solid.wall_area, area, (1e-12 + 1e-15 * size) * area);
+    double low = 0, high = 0;
+    for (const auto& faces : expect_parts_on_sides(body, plane, 4e-15 * size)) {
+      const Extract part = extract_faces(body, faces);
+      EXPECT_EQ(part.boundary_edges, 0u);
+      const double own = enclosed_volume(body.mesh, faces, body.middle()).volume;
+      (height(plane, part.centroid) < 0 ? low : high) += own;
+    }
+    EXPECT_NEAR(low + high, volume, slack * volume);
+    EXPECT_NEAR(low, below.volume, slack * volume);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, KnifeOfSolids, testing::Range(size_t{0}, size_t{10}));
+
+// Any mesh: open, non-manifold, one-sided, with faces in the plane.
+TEST(Knife, keeps_the_area_of_any_mesh_and_separates_its_sides) {
+  Random random(3);
+  for (const NamedSoup& made : mesh_classes()) {
+    for (size_t run = 0; run < runs(12); ++run) {
+      SCOPED_TRACE(made.name + ", run " + std::to_string(run));
+      World world = world_of(made.soup);
+      const Body& body = only_body(world);
+      const KnifePlane plane =
+          run % 2 == 0 ? random_plane(world, random) : plane_through_vertices(world, random);
+      const double area = live_area(body.mesh), size = scale_of(world);
+      const size_t faces = body.mesh.live_faces();
+      const Delta delta = cut(world, plane);
+      EXPECT_EQ(delta.removed_faces, 0u);
+      EXPECT_NEAR(live_area(body.mesh), area, 1e-12 * area + 1e-15 * size * size);
+      EXPECT_GE(body.mesh.live_faces(), faces);
+      EXPECT_EQ(find_fault(body.mesh, true), "");
+      expect_parts_on_sides(body, plane, 4e-15 * size);
+    }
+  }
+}
+
+// Split faces keep the loaded face that contains them, which evaluates their looks.
+TEST(Knife, leaves_parts_of_faces_in_their_loaded_faces) {
+  World world = world_of(sphere(12, 18, 0.5));
+  const Body loaded = only_body(world);
+  Random random(4);
+  cut(world, random_plane(world, random));
+  const Body& body = only_body(world);
+  std::vector<double> area(loaded.mesh.face_slots());
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot)
+    area[body.loaded_source(FaceId(slot)).index] += triangle_area(body.mesh.triangle(FaceId(slot)));
+  for (uint32_t slot = 0; slot < area.size(); ++slot)
+    EXPECT_NEAR(area[slot], triangle_area(loaded.mesh.triangle(FaceId(slot))), 1e-15);
+}
+
+TEST(Knife, cuts_a_moved_body_in_the_world) {
+  World world = solid_world(brick({1, 1, 1}));
+  only_body(world).placement = {{5, 0, 0}, glm::angleAxis(0.5, glm::normalize(Vec3(1, 2, 3)))};
+  const Vec3 middle = only_body(world).placement.to_world(Vec3(0.5));
+  const Vec3 normal = glm::normalize(Vec3(1, -2, 0.5));
+  cut(world, {3.0 * normal, 3 * glm::dot(normal, middle)});
+  const Body& body = only_body(world);
+  for (const auto& faces : faces_by_piece(body, false))
+    EXPECT_NEAR(enclosed_volume(body.mesh, faces, body.middle()).volume, 0.5, 1e-14);
+}
+
+TEST(Knife, cuts_real_meshes) {
+  const auto files = real_meshes(200'000);
+  if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
+  Random random(5);
+  for (const auto& file : files) {
+    SCOPED_TRACE(file.filename());
+    World world = world_of_file(file);
+    const Body& body = only_body(world);
+    const KnifePlane plane = random_plane(world, random);
+    const double area = live_area(body.mesh), size = scale_of(world), extent = world.bounds().diagonal();
+    cut(world, plane);
+    EXPECT_NEAR(live_area(body.mesh), area, 1e-12 * area + 1e-15 * size * extent);
+    expect_parts_on_sides(body, plane, 4e-15 * size);
+  }
+}
+
+TEST(Knife, is_undone_exactly_and_cuts_the_same_when_redone) {
+  for (const bool is_solid : {false, true}) {
+    for (const NamedSoup& made : generated_solids()) {
+      SCOPED_TRACE(made.name);
+      Document document(is_solid ? solid_world(made.soup) : world_of(made.soup));
+      const World before = document.world();
+      Random random(6);
+      ASSERT_TRUE(document.apply(CutPlane{random_plane(before, random)}).ok());
+      const uint64_t after = state_hash(document.world());
+      ASSERT_TRUE(document.apply(Undo{}).ok());
+      expect_same_world(document.world(), before);
+      ASSERT_TRUE(document.apply(Redo{}).ok());
+      EXPECT_EQ(state_hash(document.world()), after);
+    }
+  }
+}
+
+TEST(Knife, refuses_more_faces_than_allowed_and_changes_nothing) {
+  Document document(world_of(sphere(12, 18, 0.5)));
+  const World before = document.world();
+  EXPECT_FALSE(document.apply(CutPlane{{{0, 1, 0}, 0.01}, {}, 400}).ok());
+  expect_same_world(document.world(), before);
+}
+
+TEST(Knife, reports_an_open_solid) {
+  Soup soup = brick({1, 1, 1});
+  soup.triangles.pop_back();
+  World world = solid_world(soup);
+  const Delta delta = cut(world, {glm::normalize(Vec3(1, 1, 1)), 1.5 / std::sqrt(3.0)});
+  EXPECT_EQ(delta.left_open.size(), 1u);
+  EXPECT_EQ(faces_by_piece(only_body(world), false).size(), 2u);
+}
+
+// Halves lie against each other: no gap closes, and nothing pushes them apart.
+TEST(Knife, leaves_halves_of_a_cube_at_rest) {
+  World world = solid_world(brick({0.1, 0.1, 0.1}));
+  Environment around;
+  around.ground = 0;
+  world.set_environment(around);
+  Document document(std::move(world));
+  ASSERT_TRUE(document.apply(CutPlane{{{0, 1, 0}, 0.05}}).ok());
+  document.apply(Play{});
+  document.apply(AdvanceTime{3 * kTicksPerSecond, true});
+  finish(document);
+  const World& rested = document.world();
+  ASSERT_EQ(rested.ids().size(), 2u);
+  for (const BodyId id : rested.ids()) {
+    const Placement& placement = rested.body(id).placement;
+    for (const Vec3& corner : {Vec3(0), Vec3(0.1), Vec3(0.1, 0.05, 0)})
+      EXPECT_LT(glm::distance(placement.to_world(corner), corner), 1e-4);
+  }
+}
+
+Delta cut(World& world, const KnifePath& path) {
+  const std::vector<BodyId> ids = world.ids();
+  const Result<StepResult> result = cut_with_path(world, path, ids);
+  EXPECT_TRUE(result.ok());
+  EXPECT_TRUE(is_settled(world));
+  EXPECT_EQ(find_fault(only_body(world).mesh, true), "");
+  return result->delta;
+}
+
+// A path of a beam along -y from y = 2.
+KnifePath path_from_above(const std::vector<Vec2>& points, double depth = 5) {
+  KnifePath path;
+  for (const Vec2 p : points) path.poses.push_back({{p.x, 2, p.y}, {0, -1, 0}});
+  path.range = {0, depth};
+  return path;
+}
+
+std::vector<double> volumes(const Body& body) {
+  std::vector<double> all;
+  for (const auto& faces : faces_by_piece(body, false)) {
+    const EnclosedVolume own = enclosed_volume(body.mesh, faces, body.middle());
+    EXPECT_TRUE(own.closed);
+    all.push_back(own.volume);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-14);
+}
+
+TEST(KnifePath, of_one_strip_cuts_solids_like_a_plane) {
+  Random random(7);
+  for (const NamedSoup& made : generated_solids()) {
+    SCOPED_TRACE(made.name);
+    World world = solid_world(made.soup), other = solid_world(made.soup);
+    const KnifePlane plane = random_plane(world, random);
+    const Vec3 along = across(plane.normal), down = glm::cross(plane.normal, along);
+    const Vec3 origin = plane.normal * plane.distance - 10.0 * down;
+    cut(world, plane);
+    const Delta delta =
+        cut(other, KnifePath{{{origin - 9.0 * along, down}, {origin + 9.0 * along, down}}, {0, 20}});
+    ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+    expect_near(volumes(only_body(other)), volumes(only_body(world)));
+  }
+}
+
+TEST(KnifePath, cuts_along_its_corners) {
+  World world = solid_world(brick({1, 1, 1}));
+  const Delta delta = cut(world, path_from_above({{0.3, -0.5}, {0.3, 0.4}, {0.6, 0.7}, {1.5, 0.7}}));
+  ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+  const double corner = 0.7 * 0.7 - 0.3 * 0.3 / 2;
+  expect_near(volumes(only_body(world)), {corner, 1 - corner});
+}
+
+TEST(KnifePath, of_a_closed_outline_cuts_a_prism) {
+  const std::vector<Vec2> square{{0.2, 0.3}, {0.7, 0.3}, {0.7, 0.8}, {0.2, 0.8}, {0.2, 0.3}};
+  World solid = solid_world(brick({1, 1, 1}));
+  EXPECT_TRUE(cut(solid, path_from_above(square)).left_open.empty());
+  expect_near(volumes(only_body(solid)), {0.25, 0.75});
+
+  World sheet = world_of(moved(grid(7, 1), {0.5, 0, 0.5}, 1));
+  const double area = live_area(only_body(sheet).mesh);
+  EXPECT_TRUE(cut(sheet, path_from_above(square)).left_open.empty());
+  const Body& body = only_body(sheet);
+  EXPECT_NEAR(live_area(body.mesh), area, 1e-14);
+  const auto pieces = faces_by_piece(body, false);
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_NEAR(extract_faces(body, pieces[1]).area, 0.25, 1e-14);
+}
+
+TEST(KnifePath, leaves_what_it_does_not_pass_through_connected) {
+  const std::vector<Vec2> square{{0.2, 0.3}, {0.7, 0.3}, {0.7, 0.8}, {0.2, 0.8}, {0.2, 0.3}};
+  World solid = solid_world(brick({1, 1, 1}));
+  EXPECT_EQ(cut(solid, path_from_above(square, 1.5)).left_open.size(), 1u) << "it ends at half the depth";
+  expect_near(volumes(only_body(solid)), {1});
+  World sheet = world_of(moved(grid(7, 1), {0.5, 0, 0.5}, 1));
+  EXPECT_EQ(cut(sheet, path_from_above({{0.2, 0.3}, {0.7, 0.3}, {0.7, 0.8}})).left_open.size(), 1u);
+  const Body& body = only_body(sheet);
+  EXPECT_EQ(faces_by_piece(body, true).size(), 1u);
+  EXPECT_NEAR(live_area(body.mesh), 1, 1e-14);
+  EXPECT_GT(body.mesh.live_faces(), 98u) << "the new edges stay";
+}
+
+TEST(KnifePath, refuses_a_strip_that_is_not_planar_and_changes_nothing) {
+  World world = world_of(grid(7, 1));
+  const World before = world;
+  const std::vector<BodyId> ids = world.ids();
+  const KnifePath twisted{{{{-1, 1, 0}, {0, -1, 0}}, {{1, 1, 0}, glm::normalize(Vec3(0, -1, 1))}}, {0, 5}};
+  EXPECT_FALSE(cut_with_path(world, twisted, ids).ok());
+  expect_same_world(world, before);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,6 +1,7 @@
 #include "app/arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -50,6 +51,22 @@ Result<Vec3> parse_point(const std::string& option, const std::string& text) {
     if (i < 2) rest.remove_prefix(comma + 1);
   }
   return point;
+}
+
+Result<KnifePlane> parse_plane(const std::string& text) {
+  const auto wrong = bad_input("--plane: " + text +
+                               ": must be NX,NY,NZ,D, four finite numbers with a normal that is not zero");
+  std::array<double, 4> numbers{};
+  std::string_view rest = text;
+  for (size_t i = 0; i < 4; ++i) {
+    const size_t comma = rest.find(',');
+    if ((i < 3) == (comma == std::string_view::npos)) return wrong;
+    if (!parse_number(rest.substr(0, comma), numbers[i])) return wrong;
+    if (i < 3) rest.remove_prefix(comma + 1);
+  }
+  const Vec3 normal(numbers[0], numbers[1], numbers[2]);
+  if (normal == Vec3(0)) return wrong;
+  return KnifePlane{normal, numbers[3]};
 }
 
 void PictureArguments::add_to(CLI::App& command) {

@@ -9,6 +9,7 @@
 #include "core/base/geometry.h"
 #include "core/base/number_format.h"
 #include "core/base/result.h"
+#include "core/cut/knife.h"
 #include "ui/render/picture.h"
 
 namespace kerf {
@@ -23,6 +24,9 @@ Result<PixelSize> parse_size(const std::string& text);
 
 // Parses "x,y,z", three finite numbers. The error names `option`.
 Result<Vec3> parse_point(const std::string& option, const std::string& text);
+
+// Parses "NX,NY,NZ,D", the plane of the points x with N.x = D [m]; the error names --plane.
+Result<KnifePlane> parse_plane(const std::string& text);
 
 // Returns true and sets `value` if the text is one finite number.
 bool parse_number(std::string_view text, double& value);

@@ -1,4 +1,3 @@
-#include <array>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
@@ -68,23 +67,6 @@ Result<Interval> parse_range(const std::string& text) {
     return wrong;
   if (range.low < 0 || range.low > range.high) return wrong;
   return range;
-}
-
-// Parses "NX,NY,NZ,D", the plane of the points x with N.x = D.
-Result<KnifePlane> parse_plane(const std::string& text) {
-  const auto wrong = bad_input("--plane: " + text +
-                               ": must be NX,NY,NZ,D, four finite numbers with a normal that is not zero");
-  std::array<double, 4> numbers{};
-  std::string_view rest = text;
-  for (size_t i = 0; i < 4; ++i) {
-    const size_t comma = rest.find(',');
-    if ((i < 3) == (comma == std::string_view::npos)) return wrong;
-    if (!parse_number(rest.substr(0, comma), numbers[i]) || !std::isfinite(numbers[i])) return wrong;
-    if (i < 3) rest.remove_prefix(comma + 1);
-  }
-  const Vec3 normal(numbers[0], numbers[1], numbers[2]);
-  if (normal == Vec3(0)) return wrong;
-  return KnifePlane{normal, numbers[3]};
 }
 
 // Visits the options that a settings file may contain: key, allowed values, help.

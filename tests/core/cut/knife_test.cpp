@@ -108,6 +108,39 @@ std::vector<std::vector<FaceId>> expect_parts_on_sides(const Body& body, const K
   return parts;
 }
 
+Delta cut(World& world, const KnifePath& path) {
+  const std::vector<BodyId> ids = world.ids();
+  const Result<StepResult> result = cut_with_path(world, path, ids);
+  EXPECT_TRUE(result.ok());
+  EXPECT_TRUE(is_settled(world));
+  EXPECT_EQ(find_fault(only_body(world).mesh, true), "");
+  return result->delta;
+}
+
+// A path of a beam along -y from y = 2.
+KnifePath path_from_above(const std::vector<Vec2>& points, double depth = 5) {
+  KnifePath path;
+  for (const Vec2 p : points) path.poses.push_back({{p.x, 2, p.y}, {0, -1, 0}});
+  path.range = {0, depth};
+  return path;
+}
+
+std::vector<double> volumes(const Body& body) {
+  std::vector<double> all;
+  for (const auto& faces : faces_by_piece(body, false)) {
+    const EnclosedVolume own = enclosed_volume(body.mesh, faces, body.middle());
+    EXPECT_TRUE(own.closed);
+    all.push_back(own.volume);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-14);
+}
+
 class KnifeOfSolids : public testing::TestWithParam<size_t> {};
 
 TEST_P(KnifeOfSolids, closes_both_sides_and_keeps_volume_and_area) {
@@ -175,6 +208,33 @@ TEST(Knife, leaves_parts_of_faces_in_their_loaded_faces) {
     EXPECT_NEAR(area[slot], triangle_area(loaded.mesh.triangle(FaceId(slot))), 1e-15);
 }
 
+TEST(Knife, separates_nothing_along_a_face_of_a_solid) {
+  for (const double height : {0.0, 1.0}) {
+    for (const double sign : {1.0, -1.0}) {
+      World world = solid_world(brick({1, 1, 1}));
+      EXPECT_TRUE(cut(world, KnifePlane{{0, sign, 0}, sign * height}).empty());
+      cut(world, path_from_above({{0, -2}, {0, 2}}));
+      EXPECT_EQ(only_body(world).mesh.live_faces(), 12u);
+      EXPECT_EQ(faces_by_piece(only_body(world), false).size(), 1u);
+    }
+  }
+}
+
+// A step on the plane and an overhang on it belong to the halves that they face away from.
+TEST(Knife, closes_halves_where_faces_lie_in_the_plane) {
+  Soup step = extruded(grid(4, 1), 1);
+  for (Vec3& p : step.positions) {
+    if (p.y == 1 && p.x > 0.1) p.y = 0.5;
+  }
+  for (const double sign : {1.0, -1.0}) {
+    World world = solid_world(step);
+    const double volume = volume_of(only_body(world));
+    cut(world, KnifePlane{{0, sign, 0}, 0.5 * sign});
+    const std::vector<double> halves = volumes(only_body(world));
+    expect_near(halves, {volume - 0.5, 0.5});
+  }
+}
+
 TEST(Knife, cuts_a_moved_body_in_the_world) {
   World world = solid_world(brick({1, 1, 1}));
   only_body(world).placement = {{5, 0, 0}, glm::angleAxis(0.5, glm::normalize(Vec3(1, 2, 3)))};
@@ -233,59 +293,6 @@ TEST(Knife, reports_an_open_solid) {
   const Delta delta = cut(world, {glm::normalize(Vec3(1, 1, 1)), 1.5 / std::sqrt(3.0)});
   EXPECT_EQ(delta.left_open.size(), 1u);
   EXPECT_EQ(faces_by_piece(only_body(world), false).size(), 2u);
-}
-
-// Halves lie against each other: no gap closes, and nothing pushes them apart.
-TEST(Knife, leaves_halves_of_a_cube_at_rest) {
-  World world = solid_world(brick({0.1, 0.1, 0.1}));
-  Environment around;
-  around.ground = 0;
-  world.set_environment(around);
-  Document document(std::move(world));
-  ASSERT_TRUE(document.apply(CutPlane{{{0, 1, 0}, 0.05}}).ok());
-  document.apply(Play{});
-  document.apply(AdvanceTime{3 * kTicksPerSecond, true});
-  finish(document);
-  const World& rested = document.world();
-  ASSERT_EQ(rested.ids().size(), 2u);
-  for (const BodyId id : rested.ids()) {
-    const Placement& placement = rested.body(id).placement;
-    for (const Vec3& corner : {Vec3(0), Vec3(0.1), Vec3(0.1, 0.05, 0)})
-      EXPECT_LT(glm::distance(placement.to_world(corner), corner), 1e-4);
-  }
-}
-
-Delta cut(World& world, const KnifePath& path) {
-  const std::vector<BodyId> ids = world.ids();
-  const Result<StepResult> result = cut_with_path(world, path, ids);
-  EXPECT_TRUE(result.ok());
-  EXPECT_TRUE(is_settled(world));
-  EXPECT_EQ(find_fault(only_body(world).mesh, true), "");
-  return result->delta;
-}
-
-// A path of a beam along -y from y = 2.
-KnifePath path_from_above(const std::vector<Vec2>& points, double depth = 5) {
-  KnifePath path;
-  for (const Vec2 p : points) path.poses.push_back({{p.x, 2, p.y}, {0, -1, 0}});
-  path.range = {0, depth};
-  return path;
-}
-
-std::vector<double> volumes(const Body& body) {
-  std::vector<double> all;
-  for (const auto& faces : faces_by_piece(body, false)) {
-    const EnclosedVolume own = enclosed_volume(body.mesh, faces, body.middle());
-    EXPECT_TRUE(own.closed);
-    all.push_back(own.volume);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-void expect_near(const std::vector<double>& found, const std::vector<double>& expected) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-14);
 }
 
 TEST(KnifePath, of_one_strip_cuts_solids_like_a_plane) {

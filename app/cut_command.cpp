@@ -602,8 +602,7 @@ class CutRun {
     ProgressLine line("cutting");
     const Progress cutting = line.progress();
     for (size_t i = 0; i < planes_.size(); ++i) {
-      const Result<bool> met =
-          run_knife(CutPlane{planes_[i], {}, usual_face_budget(machine_memory())}, cutting);
+      const Result<bool> met = run_knife(CutPlane{planes_[i]}, cutting);
       if (!met) return error_or_stopped(met.error());
       if (!*met) job_.notes.push_back("--plane " + options_.planes[i] + ": the plane crosses no mesh");
       if (!options_.journal.empty()) mark_state(document_, marks_);

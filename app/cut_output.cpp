@@ -43,7 +43,7 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t planes, size_t
     text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
            std::to_string(std::lround(100 * job.depth_fraction())) + " % of the thickness";
   } else if (job.removed_faces == 0) {
-    text = count(strokes, "stroke") + " hit nothing";
+    text = count(strokes, "stroke") + (job.missed.size() < strokes ? " removed nothing" : " hit nothing");
   } else {
     text = count(strokes, "stroke") + " removed " + count(job.removed_faces, "face") + " (" +
            area_text(job.removed_area) + ")";

@@ -320,7 +320,7 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
 Status cut_plane(kerf_world& world, const KnifePlane& plane, const Progress& progress) {
   if (!is_finite(plane.normal) || plane.normal == Vec3(0) || !std::isfinite(plane.distance))
     return bad_input("normal and distance: must be finite, and the normal not zero");
-  const auto cut = apply_edit(world, CutPlane{plane, {}, usual_face_budget(machine_memory())}, progress);
+  const auto cut = apply_edit(world, CutPlane{plane}, progress);
   return cut ? Status(Done{}) : cut.error();
 }
 

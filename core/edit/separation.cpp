@@ -310,7 +310,7 @@ void search_from(Body& body, std::span<const FaceId> faces) {
   SeparationState fresh;
   fresh.joints_requested = body.separation.joints_requested;
   fresh.ties = std::move(body.separation.ties);
-  fresh.cavities_requested = true;
+  fresh.cavities_requested = body.solid;
   for (const FaceId f : faces) fresh.ties.emplace_back(f, f);
   fresh.search.restart_requested = true;
   body.separation = std::move(fresh);

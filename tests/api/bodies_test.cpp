@@ -104,6 +104,23 @@ TEST(Bodies, a_solid_is_closed_by_walls) {
   EXPECT_NEAR(hit.distances[0], 0.01, 1e-12);
 }
 
+TEST(Bodies, a_plane_cuts_a_solid_into_closed_halves_until_undo) {
+  World world;
+  BodyDesc desc;
+  desc.is_solid = true;
+  world.add(box(2), desc);
+  const std::string before = world.hash();
+  world.cut_plane({0, 0, 2}, 0.5);
+  const std::vector<Mesh> pieces = world.pieces();
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_NEAR(pieces[0].info().volume, 0.75, 1e-15);
+  EXPECT_NEAR(pieces[1].info().volume, 0.25, 1e-15);
+  EXPECT_THROW(world.cut_plane({0, 0, 0}, 0.5), InvalidArgument);
+  EXPECT_THROW(world.cut_plane({0, NAN, 1}, 0.5), InvalidArgument);
+  EXPECT_TRUE(world.undo());
+  EXPECT_EQ(world.hash(), before);
+}
+
 TEST(Bodies, only_those_named_are_cut) {
   World world;
   const BodyId lower = world.add(sheet(10), "lower");

@@ -17,7 +17,7 @@ namespace kerf {
 
 namespace {
 
-SectionPlane plane_in_body(const KnifePlane& plane, const Placement& placement) {
+WallPlane plane_in_body(const KnifePlane& plane, const Placement& placement) {
   const Vec3 size = glm::abs(plane.normal);
   const double largest = std::max({size.x, size.y, size.z});
   KERF_ASSERT(largest > 0 && std::isfinite(largest) && std::isfinite(plane.distance));
@@ -59,7 +59,7 @@ struct KnifeSides {
 
 class KnifeCut {
  public:
-  KnifeCut(BodyStep& step, const SectionPlane& plane) : step_(step), plane_(plane) { sort_vertices(); }
+  KnifeCut(BodyStep& step, const WallPlane& plane) : step_(step), plane_(plane) { sort_vertices(); }
 
   // Number of faces that the plane crosses.
   size_t crossed() const { return crossed_.size(); }
@@ -85,7 +85,7 @@ class KnifeCut {
   std::vector<std::string> close(std::span<const Mesh::Side> sides, double outward,
                                  std::vector<FaceId>& seeds) {
     const std::vector<RimSide> rim = open_sides(mesh(), sides, seeds);
-    const SectionPlane plane{outward * plane_.normal, outward * plane_.distance};
+    const WallPlane plane{outward * plane_.normal, outward * plane_.distance};
     Section section = make_section(mesh(), rim, plane, step_.body().solid);
     for (const SectionWalls& walls : section.walls) add_section(step_, walls);
     seeds.insert(seeds.end(), section.seeds.begin(), section.seeds.end());
@@ -172,19 +172,19 @@ class KnifeCut {
   }
 
   BodyStep& step_;
-  SectionPlane plane_;
+  WallPlane plane_;
   std::vector<int8_t> side_;  // of the vertices before the cut: 1 above the plane, -1 below, 0 on it
   std::vector<FaceId> crossed_;
 };
 
 }  // namespace
 
-double distance_on(const SectionPlane& plane, const Bounds& bounds) {
+double distance_on(const WallPlane& plane, const Bounds& bounds) {
   const Vec3 largest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
   return kOnKnife * (glm::dot(glm::abs(plane.normal), largest) + std::abs(plane.distance));
 }
 
-Vec3 plane_crossing(const Mesh& mesh, const SectionPlane& plane, const Mesh::Side& edge) {
+Vec3 plane_crossing(const Mesh& mesh, const WallPlane& plane, const Mesh::Side& edge) {
   Vec3 a = mesh.position(edge.from), b = mesh.position(edge.to);
   if (lexicographic_less(b, a)) std::swap(a, b);
   double of_a = distance_from(plane, a), of_b = distance_from(plane, b);

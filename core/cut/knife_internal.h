@@ -10,17 +10,17 @@ namespace kerf {
 
 // Parts that the cuts along a plane and along a path share.
 
-inline double distance_from(const SectionPlane& plane, const Vec3& p) {
+inline double distance_from(const WallPlane& plane, const Vec3& p) {
   return glm::dot(plane.normal, p) - plane.distance;
 }
 
 // Returns the distance from a plane below which a point of the body counts as lying on it (see kOnKnife).
-double distance_on(const SectionPlane& plane, const Bounds& bounds);
+double distance_on(const WallPlane& plane, const Bounds& bounds);
 
 // Returns the point where a plane crosses an edge of a face, equal for all faces of the edge and different
 // from their opposite corners. Precondition: the ends lie on different sides, further away than
 // distance_on().
-Vec3 plane_crossing(const Mesh& mesh, const SectionPlane& plane, const Mesh::Side& edge);
+Vec3 plane_crossing(const Mesh& mesh, const WallPlane& plane, const Mesh::Side& edge);
 
 // Returns the sides that have no other face on their sheet, with their present vertices: disconnecting edges
 // replaces vertices, but not positions. Appends the faces of the other sides to `others`.

@@ -25,7 +25,7 @@ constexpr uint32_t kNoPlace = 0xffffffffu;
 // The part of the surface between two poses, in the frame of a body. The normal points to the left of the
 // path, seen along the beam.
 struct KnifeStrip {
-  SectionPlane plane;
+  WallPlane plane;
   Pose from, to;
   Vec3 after_from{0}, before_to{0};        // unit vectors in the plane, across the poses, into the strip
   Interval range;                          // m

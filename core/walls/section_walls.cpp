@@ -50,7 +50,7 @@ struct Projection {
 
 class SectionMaker {
  public:
-  SectionMaker(const Mesh& mesh, std::span<const RimSide> sides, const SectionPlane& plane)
+  SectionMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane)
       : mesh_(mesh), sides_(sides), plane_(plane), flat_(plane.normal) {}
 
   Section make(bool closes) {
@@ -197,7 +197,7 @@ class SectionMaker {
 
   const Mesh& mesh_;
   std::span<const RimSide> sides_;
-  const SectionPlane& plane_;
+  const WallPlane& plane_;
   Projection flat_;
   std::vector<uint32_t> next_;  // by side: the following one of its wall
   std::vector<SectionLoop> loops_;
@@ -224,8 +224,7 @@ std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::spa
   return mesh->triangles();
 }
 
-Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const SectionPlane& plane,
-                     bool closes) {
+Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane, bool closes) {
   KERF_ASSERT(is_unit(plane.normal));
   return SectionMaker(mesh, sides, plane).make(closes);
 }

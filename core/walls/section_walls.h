@@ -15,7 +15,7 @@
 namespace kerf {
 
 // A plane, as the points x with dot(normal, x) = distance. The normal is a unit vector.
-struct SectionPlane {
+struct WallPlane {
   Vec3 normal{0, 1, 0};
   double distance = 0;  // m
 };
@@ -40,8 +40,7 @@ struct Section {
 //
 // With `closes` false, returns only the seeds. Precondition: the sides have no other face on their sheets.
 // O(n log n) for n sides if no loops cross.
-Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const SectionPlane& plane,
-                     bool closes);
+Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane, bool closes);
 
 // Triangulates the region of a plane on the left of directed sides seen along -normal; `at` are their ends,
 // in the plane up to rounding. Adds no vertices. Returns nullopt if sides cross, or bound no finite region.

@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel.h"
+#include "core/physics/contact/mating.h"
 #include "core/physics/contact/penetration.h"
 
 namespace kerf {
@@ -77,7 +78,7 @@ class Ways {
 
   // Returns true if two bodies intersect or pass through each other on the shares of their ways.
   bool cross(uint32_t i, uint32_t j) const {
-    return (goes(i) || goes(j)) && pass_through(bodies_[i], bodies_[j]);
+    return (goes(i) || goes(j)) && PairGeometry(bodies_[i], bodies_[j]).pass_through();
   }
   bool shorten(uint32_t i) {
     MovingBody& b = bodies_[i];
@@ -183,7 +184,8 @@ class Holding {
   void find_crossing(std::vector<Pair>& pairs) {
     keep_only(pairs, [&](const Pair& p) { return ways_.cross(p.first, p.second); });
     const std::vector<uint8_t> must_not = test_each(pairs, [&](const Pair& p) {
-      return !ways_.may_cross(p.first, p.second) && !sheets_cross(bodies_[p.first], bodies_[p.second]);
+      return !ways_.may_cross(p.first, p.second) &&
+             !PairGeometry(bodies_[p.first], bodies_[p.second]).cross();
     });
     std::vector<Pair> let;
     for (size_t p = 0; p < pairs.size(); ++p) {
@@ -283,7 +285,7 @@ TouchingPair ContactSearch::start(uint32_t first, uint32_t second) const {
   TouchingPair pair{first, second, {}, old ? *old : PairMemory{a, b, {}, {}, {}}};
   if (pair.memory.held > 0) --pair.memory.held;
   if (second != TouchingPair::kGround && (!old || old->crossed))
-    pair.memory.crossed = sheets_cross(bodies_[first], bodies_[second]) ? pair.memory.crossed + 1 : 0;
+    pair.memory.crossed = PairGeometry(bodies_[first], bodies_[second]).cross() ? pair.memory.crossed + 1 : 0;
   return pair;
 }
 
@@ -334,7 +336,7 @@ void ContactSearch::look_at(TouchingPair& pair) const {
   const MovingBody& first = bodies_[pair.first];
   pair.contacts = pair.second == TouchingPair::kGround
                       ? find_ground_contacts(first, around_, kContactLengths, pair.memory)
-                      : find_contacts(first, bodies_[pair.second], kContactLengths, pair.memory);
+                      : PairGeometry(first, bodies_[pair.second]).contacts(pair.memory);
 }
 
 std::vector<std::pair<uint32_t, uint32_t>> ContactSearch::pairs_apart() const {
@@ -357,7 +359,8 @@ std::vector<uint8_t> ContactSearch::remember_piercing(std::span<const std::pair<
 
 bool ContactSearch::remember_piercing(uint32_t first, uint32_t second) {
   PairMemory& memory = pair_of(first, second).memory;
-  const MovingBody &a = bodies_[first], &b = bodies_[second];
+  const PairGeometry pair(bodies_[first], bodies_[second]);
+  const MovingBody &a = pair.first(), &b = pair.second();
   const bool of_first = remember_piercing_points(a, b, memory.points_of_first);
   const bool of_second = remember_piercing_points(b, a, memory.points_of_second);
   remember_passing_guards(a, b, memory.points_of_first);

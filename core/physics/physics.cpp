@@ -13,6 +13,7 @@
 #include "core/base/ids.h"
 #include "core/base/parallel.h"
 #include "core/edit/detach.h"
+#include "core/physics/contact/mating.h"
 #include "core/physics/motion_limits.h"
 #include "core/physics/sleep.h"
 #include "core/physics/solver.h"
@@ -318,9 +319,12 @@ std::vector<std::function<void()>> Physics::preparations(const World& world, std
   std::vector<std::function<void()>> work;
   for (const BodyId id : ids) {
     if (!needs_collider(world, id, under_beam)) continue;
-    const Mesh& mesh = world.body(id).mesh;
+    const Body& body = world.body(id);
     Collider& collider = colliders_[id];
-    work.emplace_back([&collider, &mesh] { collider = make_collider(mesh); });
+    work.emplace_back([&collider, &body] {
+      collider = make_collider(body.mesh);
+      collider.wall_corners = wall_corners(body);
+    });
     changed_.erase(id);
   }
   if (!joints_) work.emplace_back([&] { joints_ = held_joints(world); });
@@ -424,14 +428,16 @@ void release_pieces(World& world, uint32_t generation, Delta& delta) {
   for (const BodyId id : world.ids()) {
     if (!has_pieces_off(world.body(id))) continue;
     update_mass_properties(world.body(id));
+    const std::set<uint32_t> mating = mating_labels(world.body(id));
     for (const uint32_t label : pieces_off(world.body(id))) {
       const BodyId own = detach(world, {id, label}, generation, delta);
       Body &rest = world.body(id), &piece = world.body(own);
       piece.pinned = false;
       rest.motion.wake();
       piece.motion.wake();
-      // A piece that turns on a joint was not cut off.
-      if (piece.pieces[label].cut_off.faces > 0) push_apart(rest, piece, world.environment().metre);
+      // A piece that turns on a joint was not cut off, and a knife leaves no room to push.
+      if (piece.pieces[label].cut_off.faces > 0 && !mating.contains(label))
+        push_apart(rest, piece, world.environment().metre);
     }
   }
 }

@@ -124,8 +124,8 @@ class Physics {
 // the piece with the lowest label stays. The other pieces inherit its velocity and spin, are not pinned, and
 // are pushed away from it by equal and opposite impulses along the line between the centres of mass, to a
 // relative speed of kPushApart. Pinned bodies are not pushed, nor are parts that turn on joints and were not
-// cut off. New bodies get `generation` (see BodyId). Appends the changes to `delta`, and wakes the changed
-// bodies.
+// cut off, nor pieces whose walls touch those of another piece (see mating_labels). New bodies get
+// `generation` (see BodyId). Appends the changes to `delta`, and wakes the changed bodies.
 //
 // Precondition: all searches for separated pieces are finished. O(pieces) if no piece was cut off.
 void release_pieces(World& world, uint32_t generation, Delta& delta);

@@ -163,6 +163,12 @@ inline bool Occupancy::meets(const Box& box) const {
   return false;
 }
 
+// A corner of a wall of a solid body.
+struct WallCorner {
+  Vec3 at{0};      // in the frame of the body [m]
+  Vec3 normal{0};  // unit, out of the body
+};
+
 // Contact features of a body in addition to its faces: points and straight chords of its sheet, in its frame
 // (m).
 struct Collider {
@@ -188,6 +194,7 @@ struct Collider {
   Occupancy space;  // cells of faces and chords
   // Points that can touch a plane: all vertices except those inside flat regions.
   std::vector<Vec3> corners;
+  std::vector<WallCorner> wall_corners;  // see wall_corners(); make_collider() leaves them out
 };
 
 // Limits of the number of features.

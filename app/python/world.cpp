@@ -62,6 +62,15 @@ py::dict cut(World& world, const py::object& strokes, const py::object& target_e
   return dict_of(unlocked([&] { return world.cut(list, settings, options); }));
 }
 
+void cut_plane(World& world, const py::object& normal, const py::object& offset, const py::object& progress,
+               const py::object& threads) {
+  const std::array<double, 3> vector = vector_argument(normal, "normal");
+  const double distance = number_argument(offset, "offset");
+  const CallOptions options =
+      options_argument(progress, static_cast<unsigned>(int_argument(threads, "threads")));
+  unlocked([&] { world.cut_plane(vector, distance, options); });
+}
+
 void begin_stroke(World& world, const py::object& stroke, const py::object& target_edge,
                   const py::object& tolerance, const py::object& max_level, const py::object& rim,
                   const py::object& scheme, const py::object& model, const py::object& bodies) {
@@ -112,6 +121,15 @@ void add_cuts(WorldClass& world) {
            "0, the energies emitted and absorbed (J) and depth, the mean depth under the beam, 0 to 1.\n\n"
            "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh, "
            "Cancelled, Busy, and Error if a body would get too many faces. A failed cut changes nothing.")
+      .def("cut_plane", &cut_plane, py::arg("normal"), py::arg("offset"), py::kw_only(),
+           py::arg("progress") = py::none(), py::arg("threads") = 0,
+           "Cuts all visible bodies along a plane by a knife of no width, which removes nothing; both sides "
+           "of solids are closed.\n\n"
+           "normal: of any length but 0.\n"
+           "offset: the plane holds the points x with normal . x = offset, in metres for a unit normal.\n"
+           "progress, threads: as in cut.\n\n"
+           "Raises TypeError or ValueError for a wrong argument, Cancelled, Busy, and Error if a body would "
+           "get too many faces. A failed cut changes nothing.")
       .def("begin_stroke", &begin_stroke, py::arg("stroke"), py::kw_only(),
            py::arg("target_edge") = py::none(), py::arg("tolerance") = py::none(),
            py::arg("max_level") = py::none(), py::arg("rim") = "faces", py::arg("scheme") = "longest-edge",

@@ -432,6 +432,25 @@ class Module(unittest.TestCase):
             with self.assertRaises(kerf.Cancelled):
                 read(MESH, progress=lambda share: False)
 
+    def test_a_knife_halves_a_solid_along_a_plane(self):
+        body = self.world.bodies[0]
+        self.world.set_solid(body, 0, True)
+        volume = self.world.piece(body, 0).volume
+        before = self.world.hash
+        self.world.cut_plane((0, 2, 0), 2 * np.mean(self.mesh.vertices[:, 1]))
+        pieces = self.world.pieces
+        self.assertEqual([p.is_closed for p in pieces], [True, True])
+        self.assertAlmostEqual(sum(p.volume for p in pieces) / volume, 1, 12)
+        self.assertTrue(self.world.undo())
+        self.assertEqual(self.world.hash, before)
+        for bad in (lambda: self.world.cut_plane((0, 0, 0), 1), lambda: self.world.cut_plane((0, 1), 1),
+                    lambda: self.world.cut_plane((0, 1, 0), float('inf'))):
+            with self.assertRaises(ValueError):
+                bad()
+        with self.assertRaises(kerf.Cancelled):
+            self.world.cut_plane((0, 1, 0), 0, progress=lambda share: False)
+        self.assertEqual(self.world.hash, before)
+
     def test_type_hints_state_defaults_and_docstrings_state_errors(self):
         with open(os.path.splitext(kerf.__file__)[0] + '.pyi', encoding='utf-8') as text:
             hints = ast.parse(text.read())

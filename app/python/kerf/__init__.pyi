@@ -333,6 +333,9 @@ class World:
         progress: _Progress | None = None,
         threads: int = 0,
     ) -> dict[str, Any]: ...
+    def cut_plane(
+        self, normal: npt.ArrayLike, offset: float, *, progress: _Progress | None = None, threads: int = 0
+    ) -> None: ...
     def begin_stroke(
         self,
         stroke: Stroke,

@@ -101,14 +101,22 @@ void draw_rotation(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
   list.AddTriangleFilled({m.x, m.y - 1.2f * r}, tip, {m.x, m.y - 0.4f * r}, colour);
 }
 
+// A blade over the line that it cuts.
+void draw_knife(ImDrawList& list, ImVec2 m, float r, ImU32 colour) {
+  const auto at = [&](float x, float y) { return ImVec2(m.x + x * r, m.y + y * r); };
+  list.AddLine(at(0.95f, -0.95f), at(0.4f, -0.4f), colour, 3);
+  list.AddTriangle(at(0.4f, -0.4f), at(-0.85f, 0.55f), at(0.05f, 0.2f), colour, 1.5f);
+  for (const float x : {-1.0f, -0.3f, 0.4f}) list.AddLine(at(x, 0.9f), at(x + 0.45f, 0.9f), colour, 1.5f);
+}
+
 }  // namespace
 
 void draw_icon(Icon icon, ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
   using Draw = void (*)(ImDrawList&, ImVec2, float, ImU32);
-  constexpr std::array<Draw, 12> kDraws{draw_cut,  draw_eye,     draw_arrows,    draw_thermometer,
-                                        draw_mesh, draw_pointer, draw_callipers, draw_ruler,
-                                        draw_path, draw_emitter, draw_section,   draw_rotation};
-  static_assert(kDraws.size() == static_cast<size_t>(Icon::kRotate) + 1);
+  constexpr std::array<Draw, 13> kDraws{
+      draw_cut,   draw_eye,  draw_arrows,  draw_thermometer, draw_mesh,     draw_pointer, draw_callipers,
+      draw_ruler, draw_path, draw_emitter, draw_section,     draw_rotation, draw_knife};
+  static_assert(kDraws.size() == static_cast<size_t>(Icon::kKnife) + 1);
   kDraws.at(static_cast<size_t>(icon))(list, middle, radius, colour);
 }
 

@@ -17,6 +17,7 @@ enum class Icon {
   kEmitter,  // a fixed lamp with its beam
   kSection,  // a plane through a box
   kRotate,
+  kKnife,  // a blade over the line that it cuts
 };
 
 // Draws an icon of line art with a radius around its middle, in screen coordinates.

@@ -77,6 +77,53 @@ class Section(WindowTest):
         self.assertGreater(report["faces_removed"], 0)
         self.assertTrue(report["view"]["section"])
 
+    def test_the_knife_cuts_along_a_line_as_one_undo_step_and_shift_snaps_its_angle(self):
+        editor = self.open(SPHERE)
+        whole = editor.ask("report")
+        editor.click("tool.knife", 0.5, 0.5)
+        start, level, aslant = editor.place((0.2, 0.5)), editor.place((0.5, 0.5)), editor.place((0.5, 0.53))
+        editor.drag_pixels([start, level])
+        editor.settle()
+        straight = editor.ask("report")
+        self.assertEqual((straight["pieces"], straight["undo_depth"], straight["faces_removed"]), (2, 1, 0))
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.ask("report")["state_hash"], whole["state_hash"])
+        editor.key_down("Shift_L")
+        editor.drag_pixels([start, aslant])
+        editor.key_up("Shift_L")
+        editor.settle()
+        self.assertEqual(editor.ask("report")["state_hash"], straight["state_hash"])
+        editor.do("ctrl", "z")
+        editor.drag_pixels([start, aslant])
+        editor.settle()
+        self.assertNotEqual(editor.quit()["state_hash"], straight["state_hash"])
+
+    def test_esc_cancels_the_line_and_a_line_beside_the_mesh_cuts_nothing(self):
+        editor = self.open(SPHERE)
+        editor.press("q")
+        (x, y), (x1, y1) = editor.place((0.2, 0.5)), editor.place((0.5, 0.5))
+        editor.move_to(x, y)
+        editor.settle()
+        editor.press_button(1, x, y)
+        editor.move_to(x1, y1)
+        editor.press("Escape")
+        editor.release(1)
+        editor.settle()
+        self.assertEqual(editor.ask("report")["undo_depth"], 0)
+        editor.drag([(0.02, 0.05), (0.5, 0.06)])
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["pieces"]), (0, 1))
+        self.assertIn("The plane crosses no visible piece.", report["messages"])
+
+    def test_the_button_cuts_at_the_section_plane(self):
+        editor = self.open_with_panel()
+        editor.point_at(0.1, 0.9)
+        editor.do("z")
+        editor.click("section cut", 0.5, 0.5)
+        editor.settle()
+        report = editor.quit()
+        self.assertEqual((report["pieces"], report["undo_depth"], report["faces_removed"]), (2, 1, 0))
+
 
 if __name__ == "__main__":
     unittest.main()

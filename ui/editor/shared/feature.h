@@ -88,6 +88,8 @@ std::unique_ptr<Feature> history_feature(Workspace& workspace);
 // The laser at the pointer: its beam and resolution, the stroke being drawn, and the recut of the last
 // stroke.
 std::unique_ptr<Feature> laser_feature(Workspace& workspace);
+// The knife: cuts along a line drawn over the viewport, or at the section plane.
+std::unique_ptr<Feature> knife_feature(Workspace& workspace);
 // The sheet of the pieces, and how the beam heats it.
 std::unique_ptr<Feature> material_feature(Workspace& workspace);
 // The split view: the last stroke at a second resolution, in the right half of the viewport.

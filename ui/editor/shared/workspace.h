@@ -23,7 +23,7 @@ namespace kerf {
 
 // The ids of the tools.
 inline constexpr const char *kLaserTool = "laser", *kPickTool = "pick", *kInspectTool = "inspect",
-                            *kRulerTool = "ruler", *kPathTool = "path";
+                            *kRulerTool = "ruler", *kPathTool = "path", *kKnifeTool = "knife";
 
 // State of the mouse input.
 struct PointerInput {

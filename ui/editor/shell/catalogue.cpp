@@ -27,7 +27,7 @@ const std::vector<TabLayout> kTabLayout{
       {"pieces", "Pieces", true, {"pieces.list", "pieces.placement", "pieces.explode"}},
       {"history", "History", true, {"history"}}}},
     {Tab::kView,
-     {{"view", "View", true, {"view.section", "view.switches"}},
+     {{"view", "View", true, {"view.section", "view.section_cut", "view.switches"}},
       {"tree", "Tree", false, {"tree.boxes", "tree.query"}},
       {"scalar_map", "Scalar Map", false, {"scalar_map"}},
       {"graph", "Graph", false, {"graph"}, Dock::kStrip},
@@ -56,7 +56,7 @@ const std::vector<MenuLayout> kMenus{
       "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename", kLine,
       "pieces.move", "pieces.rotate"}},
     {"Tool",
-     {"tool.laser", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", kLine,
+     {"tool.laser", "tool.knife", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", kLine,
       "laser.recut", kLine,
       "stages.step_mode", "stages.step_last_cut", "stages.play", "stages.next", "stages.previous",
       "stages.finish_segment", "stages.finish_stroke"}},
@@ -114,7 +114,7 @@ const std::vector<MenuLayout> kPaletteOnly{
     {"Ruler", {"ruler.undo", "ruler.redo", "ruler.export"}},
     {"View",
      {"section.flip", "section.across_x", "section.across_y", "section.across_z", "section.face_view",
-      "section.copy", "section.paste"}},
+      "section.copy", "section.paste", "section.cut"}},
 };
 
 constexpr const char* kPieceContext[] = {
@@ -126,9 +126,9 @@ constexpr const char* kViewContext[] = {"view.frame_all",    "view.reset",      
                                         "edit.redo"};
 
 constexpr const char* kGestures[] = {
-    "cut",          "select",    "select_box",      "move_piece", "pull_piece",   "add_point",  "move_point",
-    "move_emitter", "rename",    "orbit",           "pan",        "move_section", "move_light", "zoom",
-    "context",      "fit_graph", "look_along_axis", "escape"};
+    "cut",        "cut_line",     "select",    "select_box",      "move_piece", "pull_piece",   "add_point",
+    "move_point", "move_emitter", "rename",    "orbit",           "pan",        "move_section", "move_light",
+    "zoom",       "context",      "fit_graph", "look_along_axis", "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},
@@ -457,6 +457,7 @@ Features make_features(Workspace& workspace, const Catalogue& catalogue) {
   features.push_back(single_step_feature(workspace));
   features.push_back(statistics_feature(workspace));
   features.push_back(split_feature(workspace));
+  features.push_back(knife_feature(workspace));
   features.push_back(laser_feature(workspace));
   return features;
 }

@@ -18,15 +18,12 @@ struct Tool {
   Icon icon;
   bool begins_group = false;
 };
-constexpr std::array kTools{Tool{"tool.laser", Icon::kLaser},
-                            Tool{"tool.path", Icon::kPath},
-                            Tool{"emitter.place", Icon::kEmitter},
-                            Tool{"tool.pick", Icon::kPointer, true},
-                            Tool{"pieces.move", Icon::kMove},
-                            Tool{"pieces.rotate", Icon::kRotate},
-                            Tool{"tool.inspect", Icon::kCallipers, true},
-                            Tool{"tool.ruler", Icon::kRuler},
-                            Tool{"view.section", Icon::kSection}};
+constexpr std::array kTools{
+    Tool{"tool.laser", Icon::kLaser},        Tool{"tool.knife", Icon::kKnife},
+    Tool{"tool.path", Icon::kPath},          Tool{"emitter.place", Icon::kEmitter},
+    Tool{"tool.pick", Icon::kPointer, true}, Tool{"pieces.move", Icon::kMove},
+    Tool{"pieces.rotate", Icon::kRotate},    Tool{"tool.inspect", Icon::kCallipers, true},
+    Tool{"tool.ruler", Icon::kRuler},        Tool{"view.section", Icon::kSection}};
 constexpr float kButtonEms = 2.1f, kGapEms = 0.5f;
 
 std::string tip_of(const UserAction& action) {

@@ -9,6 +9,7 @@
 #include "app/arguments.h"
 #include "app/console.h"
 #include "app/cut_output.h"
+#include "app/knife_options.h"
 #include "app/run_description.h"
 #include "core/base/platform.h"
 #include "core/base/result.h"
@@ -31,7 +32,8 @@ namespace {
 
 // Options of `kerf cut`. The default of an empty option depends on the meshes and the path file.
 struct CutOptions {
-  std::vector<std::string> meshes, planes;
+  std::vector<std::string> meshes;
+  KnifeOptions knife;
   std::string path, out, settings, journal, provenance;
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
@@ -250,10 +252,7 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
       ->required();
   command.add_option("--path", o.path,
                      "The strokes of the laser (JSON), or - for standard input; default: no strokes");
-  command.add_option(
-      "--plane", o.planes,
-      "NX,NY,NZ,D: cut along the plane N.x = D (metres) after the strokes, by a knife that removes "
-      "nothing; repeat for more planes");
+  o.knife.add_to(command);
   command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);
@@ -373,9 +372,7 @@ class CutRun {
     if (const auto s = check_cut_options(options_); !s) return s;
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
-    for (const std::string& plane : options_.planes) {
-      if (const Status s = unpack(parse_plane(plane), planes_.emplace_back()); !s) return s;
-    }
+    if (const auto s = options_.knife.read(); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
         options_.out,        options_.format.value_or("obj"),
@@ -389,6 +386,9 @@ class CutRun {
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = cut_planes(); !s) return s;
     if (const auto s = settle(); !s) return s;
+    for (const Command& move : options_.knife.lay_flat(document_.world())) {
+      if (const Outcome laid = document_.apply(move); !laid.ok()) return laid.error();
+    }
     // If the journal cannot be written, the pieces are.
     const Status journal = end_journal();
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
@@ -397,7 +397,7 @@ class CutRun {
     for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
     if (!job_.missed.empty())
       warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
-    summarize(cut_summary(job_, strokes_.size(), planes_.size(), written->size(), options_.out));
+    summarize(cut_summary(job_, strokes_.size(), options_.knife.planes(), written->size(), options_.out));
     return journal;
   }
 
@@ -601,13 +601,15 @@ class CutRun {
     const Stopwatch watch(job_.cut_s);
     ProgressLine line("cutting");
     const Progress cutting = line.progress();
-    for (size_t i = 0; i < planes_.size(); ++i) {
-      const Result<bool> met = run_knife(CutPlane{planes_[i]}, cutting);
-      if (!met) return error_or_stopped(met.error());
-      if (!*met) job_.notes.push_back("--plane " + options_.planes[i] + ": the plane crosses no mesh");
-      if (!options_.journal.empty()) mark_state(document_, marks_);
-    }
-    return Done{};
+    const Status cut = options_.knife.cut(
+        document_.world(),
+        [&](const Command& command) {
+          Result<bool> met = run_knife(command, cutting);
+          if (met && !options_.journal.empty()) mark_state(document_, marks_);
+          return met;
+        },
+        job_.notes);
+    return cut ? cut : error_or_stopped(cut.error());
   }
 
   // Executes a command of the knife. Returns false if it met nothing.
@@ -665,7 +667,6 @@ class CutRun {
 
   CutOptions options_;
   std::vector<StrokePath> strokes_;
-  std::vector<KnifePlane> planes_;
   SceneDescription scene_;
   std::optional<Substance> substance_;  // of all bodies
   Document document_;

@@ -133,6 +133,7 @@ class Pipe(unittest.TestCase):
                 ('cut', SPHERE, '--path', 'path.json', '--model', 'thermal', '--thickness', '0.0001', '--material', 'mild-steel',
                  '--assist', 'oxygen'),
                 ('cut', SPHERE, '--settle', '0.1', '--split-all', '--recentre'), ('replay', "it's.kerf"),
+                ('cut', SPHERE, '--plane', '0,1,0,0.01', '--fit-bed', '9,9,9', '--lay-flat', '--solid'),
                 ('cut', os.path.join(ROOT, 'assets/scenes/car-cut.json'), '--tolerance', '0.01'))
         for words in runs:
             with self.subTest(words):

@@ -1,0 +1,91 @@
+"""Cuts along planes, and pieces that are ready to print: knife_test.py KERF"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERF = os.path.abspath(sys.argv.pop(1))
+SIZE = (0.5, 0.2, 0.3)
+
+
+def box():
+    corners = [[s * x for s, x in zip((i & 1, i >> 1 & 1, i >> 2), SIZE)] for i in range(8)]
+    sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    return "".join("v %r %r %r\n" % tuple(c) for c in corners) + \
+           "".join("f %d %d %d %d\n" % tuple(i + 1 for i in side) for side in sides)
+
+
+class Knife(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        with open(os.path.join(self.folder, "box.obj"), "w") as file:
+            file.write(box())
+
+    def kerf(self, *arguments):
+        return subprocess.run([KERF, "cut", "box.obj", "--out", "out", *arguments], cwd=self.folder, capture_output=True,
+                              text=True)
+
+    def cut(self, *arguments):
+        """The report, and the vertices of each piece."""
+        run = self.kerf(*arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(os.path.join(self.folder, "out", "report.json")) as file:
+            report = json.load(file)
+        vertices = []
+        for piece in report["pieces"]:
+            with open(os.path.join(self.folder, "out", piece["file"])) as file:
+                vertices.append([[float(x) for x in line.split()[1:4]] for line in file if line.startswith("v ")])
+        return report, vertices
+
+    def assert_closed(self, report, count):
+        self.assertEqual([piece["closed"] for piece in report["pieces"]], [True] * count)
+        volume = SIZE[0] * SIZE[1] * SIZE[2]
+        self.assertAlmostEqual(sum(piece["volume"] for piece in report["pieces"]), volume, delta=1e-12 * volume)
+        self.assertEqual(report["removed"]["faces"], 0)
+
+    def test_planes_cut_a_solid_and_one_beside_it_is_noted(self):
+        report, vertices = self.cut("--plane", "1,0,0,0.2", "--plane", "0,0,2,0.2", "--plane", "0,1,0,9", "--solid")
+        self.assert_closed(report, 4)
+        self.assertTrue(any("0,1,0,9" in note for note in report["notes"]), report["notes"])
+        for piece in vertices:
+            for axis, at in ((0, 0.2), (2, 0.1)):
+                side = [v[axis] - at for v in piece]
+                self.assertTrue(min(side) >= -1e-15 or max(side) <= 1e-15)
+
+    def test_pieces_fit_the_bed(self):
+        report, vertices = self.cut("--fit-bed", "0.2,0.25,0.15", "--solid")
+        self.assert_closed(report, 6)  # three along x, two along z
+        for piece in vertices:
+            for axis, most in enumerate((0.2, 0.25, 0.15)):
+                extent = max(v[axis] for v in piece) - min(v[axis] for v in piece)
+                self.assertLessEqual(extent, most + 1e-15)
+
+    def test_pieces_lie_flat_on_their_largest_cut_face(self):
+        report, vertices = self.cut("--plane", "0.5,0,1,0.3", "--solid", "--lay-flat")
+        self.assert_closed(report, 2)
+        spans = []
+        for piece in vertices:
+            self.assertAlmostEqual(min(v[2] for v in piece), 0, delta=1e-12)
+            lowest = [v for v in piece if v[2] < 1e-12]
+            self.assertEqual(len(lowest), 4)  # the section of the box
+            spans.append((min(v[0] for v in piece), max(v[0] for v in piece)))
+        (_, left), (right, _) = sorted(spans)
+        self.assertLess(left, right)
+
+    def test_wrong_numbers_are_refused_and_write_nothing(self):
+        for option, value, words in (("--plane", "0,0,0,1", "normal"), ("--plane", "1,0,0", "four"),
+                                     ("--fit-bed", "1,2", "three"), ("--fit-bed", "1,0,1", "positive"),
+                                     ("--fit-bed", "0.001,1,1", "larger bed")):
+            run = self.kerf(option, value)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(option, run.stderr)
+            self.assertIn(words, run.stderr)
+            self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "report.json")))
+
+
+if __name__ == "__main__":
+    unittest.main()

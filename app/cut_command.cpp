@@ -9,6 +9,7 @@
 #include "app/arguments.h"
 #include "app/console.h"
 #include "app/cut_output.h"
+#include "app/job_input.h"
 #include "app/knife_options.h"
 #include "app/run_description.h"
 #include "core/base/platform.h"
@@ -35,6 +36,7 @@ struct CutOptions {
   std::vector<std::string> meshes;
   KnifeOptions knife;
   std::string path, out, settings, journal, provenance;
+  JobInput job;  // a drawing or a program instead of the path
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
   std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist, cut_material;
@@ -253,6 +255,7 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--path", o.path,
                      "The strokes of the laser (JSON), or - for standard input; default: no strokes");
   o.knife.add_to(command);
+  o.job.add_to(command);
   command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);
@@ -373,6 +376,7 @@ class CutRun {
     if (const auto s = read_scene_description(); !s) return s;
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = options_.knife.read(); !s) return s;
+    if (const auto s = options_.job.read(!options_.path.empty(), options_.radius); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
         options_.out,        options_.format.value_or("obj"),
@@ -381,6 +385,7 @@ class CutRun {
         options_.single_file};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
+    options_.job.add_strokes(bounds_, strokes_, job_);
     if (const auto s = begin_journal(); !s) return s;
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
@@ -395,8 +400,7 @@ class CutRun {
     const auto written = folder.write(job_, document_.world(), stroke_settings(options_, first, diagonal_));
     if (!written) return written.error();
     for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
-    if (!job_.missed.empty())
-      warn(missed_text(job_, options_.path.empty() ? options_.meshes.front() : options_.path));
+    if (!job_.missed.empty()) warn(missed_text(job_, stroke_file()));
     summarize(cut_summary(job_, strokes_.size(), options_.knife.planes(), written->size(), options_.out));
     return journal;
   }
@@ -407,7 +411,9 @@ class CutRun {
   // Reads standard input if it is a mesh or the path.
   Status open_inputs() {
     std::vector<std::string> inputs = options_.meshes;
-    if (!options_.path.empty()) inputs.push_back(options_.path);
+    for (const std::string& file : {options_.path, options_.job.drawing, options_.job.gcode}) {
+      if (!file.empty()) inputs.push_back(file);
+    }
     record_inputs(std::move(inputs));
     const bool streamed = std::ranges::find(options_.meshes, kStream) != options_.meshes.end();
     if (streamed && !options_.journal.empty())
@@ -424,6 +430,11 @@ class CutRun {
     std::vector<std::string*> files{&options.path};
     for (std::string& mesh : options.meshes) files.push_back(&mesh);
     return files;
+  }
+
+  const std::string& stroke_file() const {
+    if (!options_.job.file().empty()) return options_.job.file();
+    return options_.path.empty() ? options_.meshes.front() : options_.path;
   }
 
   // A scene must be the only file; its own strokes are cut unless --path is given.
@@ -466,7 +477,7 @@ class CutRun {
     InputFiles inputs;
     for (const std::string& file : options_.meshes) inputs.add(file);
     inputs.add_meshes(scene_);
-    for (const std::string& file : {options_.path, options_.settings}) inputs.add(file);
+    for (const std::string& file : {options_.path, options_.settings, options_.job.file()}) inputs.add(file);
     if (options_.material) inputs.add(assets_folder() / "materials.json");
     if (const Status free = folder.check("--out", inputs); !free) return free;
     if (!options_.provenance.empty()) {

@@ -82,6 +82,7 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_editor(app, invocation);
   kerf::add_info_command(app, invocation);
   kerf::add_cut_command(app, invocation);
+  kerf::add_path_command(app, invocation);
   kerf::add_inspect_command(app, invocation);
   kerf::add_render_command(app, invocation);
   kerf::add_replay_command(app, invocation);

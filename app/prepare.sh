@@ -6,7 +6,7 @@
 # line at run time, without a dependency of its package. Roboto is the font of the panels.
 packages=(cmake ninja-build g++ pkg-config ccache libgl1 libegl1 libgl1-mesa-dri libegl-mesa0 libglfw3-dev
   libimgui-dev libglm-dev nlohmann-json3-dev libepoxy-dev libstb-dev libcli11-dev libbullet-dev libopenal-dev
-  libtbb-dev libopenmesh-dev lib3mf-dev zlib1g-dev libgtest-dev fonts-roboto-unhinted
+  libtbb-dev libopenmesh-dev lib3mf-dev zlib1g-dev libpugixml-dev libgtest-dev fonts-roboto-unhinted
   libxrandr2 libxcursor1 libxi6)
 
 say() { printf 'kerf: %s\n' "$*" >&2; }

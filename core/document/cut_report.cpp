@@ -222,6 +222,7 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"missed", job.missed}};
   add_solid(report, job, any_solid);
   add_energy(report, job, world);
+  if (job.program_s) report["program_ms"] = 1000 * *job.program_s;
   report["timing_ms"] = timing(job);
   report["state_hash"] = hash_text(state_hash(world));
   if (const auto looks = looks_hash(world)) report["looks_hash"] = hash_text(*looks);

@@ -28,12 +28,13 @@ struct CutJob {
   size_t removed_faces = 0;
   double removed_area = 0;  // m^2
   SolidChange solid;
-  Vec3 origin{0};                  // origin of the coordinates in the files [m]
-  bool left_open = false;          // a stroke left a solid open: the removed volume is unknown
-  std::vector<std::string> notes;  // on the input, open bodies and losses of the files, each once
-  size_t strokes = 0;              // number of strokes cut
-  std::vector<size_t> missed;      // indices of the strokes that hit nothing, ascending
-  size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
+  Vec3 origin{0};                   // origin of the coordinates in the files [m]
+  bool left_open = false;           // a stroke left a solid open: the removed volume is unknown
+  std::vector<std::string> notes;   // on the input, open bodies and losses of the files, each once
+  std::optional<double> program_s;  // duration of the G-code program that the strokes come from
+  size_t strokes = 0;               // number of strokes cut
+  std::vector<size_t> missed;       // indices of the strokes that hit nothing, ascending
+  size_t faces_before_stroke = 0;   // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;
   size_t steps = 0;  // number of beam moves, as requested
   StepStatistics statistics;

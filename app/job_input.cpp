@@ -1,0 +1,93 @@
+#include "app/job_input.h"
+
+#include <algorithm>
+
+#include "app/arguments.h"
+#include "core/base/deterministic_math.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr NumberRange kTurn{-1e6, 1e6, "degrees"};
+constexpr NumberRange kJobScale{1e-6, 1e6, "", true};
+
+}  // namespace
+
+void JobInput::add_to(CLI::App& command) {
+  command.add_option("--drawing", drawing, "Cut along the lines of a drawing instead: SVG or DXF");
+  command.add_option("--gcode", gcode, "Cut along a program of GRBL or LinuxCNC instead (.nc)");
+  command.add_option(
+      "--onto", onto,
+      "Direction of the beam for a drawing or a program: +x, -x, +y, -y, +z or -z (-y); seen along it, "
+      "the drawing stands upright");
+  command.add_option(
+      "--at", at,
+      "X,Y,Z: position of the middle of the drawing, or the zero of the program, in metres (above the "
+      "middle of the meshes; the program above the zero of the world)");
+  add_number(command, "--turn", turn, kTurn,
+             "Turn of the drawing, counter-clockwise as seen along the beam (0)");
+  add_number(command, "--scale", scale, kJobScale, "Factor on the size of the drawing (1)");
+  add_number(command, "--power-at-s1000", power_at_s1000, kPositive,
+             "With --gcode: beam power at S1000, in watts (S sets no power)");
+}
+
+Status JobInput::read(bool has_path, std::optional<double> radius) {
+  if (file().empty()) {
+    if (onto || at || turn || scale)
+      return bad_input("--onto, --at, --turn and --scale: require --drawing or --gcode");
+    if (power_at_s1000) return bad_input("--power-at-s1000: requires --gcode");
+    return Done{};
+  }
+  if (has_path + !drawing.empty() + !gcode.empty() > 1)
+    return bad_input("--path, --drawing and --gcode: give only one of them");
+  if (power_at_s1000 && gcode.empty()) return bad_input("--power-at-s1000: requires --gcode");
+  const auto plane = plane_onto(onto.value_or("-y"));
+  if (!plane) return bad_input("--onto: " + plane.error().message);
+  plane_ = *plane;
+  plane_.turn = radians_of(turn.value_or(0));
+  plane_.scale = scale.value_or(1);
+  if (at) {
+    if (const Status s = unpack(parse_point("--at", *at), plane_.at); !s) return s;
+  }
+  auto kind = job_kind(file());
+  if (!gcode.empty()) kind = JobFile::Kind::kProgram;
+  if (kind != JobFile::Kind::kSvg && kind != JobFile::Kind::kDxf && gcode.empty())
+    return bad_input("--drawing: " + drawing + " must end in .svg or .dxf");
+  const double tolerance = radius ? std::max(*radius / 50, 1e-9) : kCurveTolerance;
+  return unpack(read_job(file(), *kind, tolerance / plane_.scale), job_);
+}
+
+// Without --at the plane lies before the meshes, against the beam.
+JobPlane JobInput::placed(const Bounds& bounds) const {
+  JobPlane plane = plane_;
+  if (at) return plane;
+  const Vec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
+  const double top = glm::dot(bounds.centre(), -plane.beam) + glm::dot(half, glm::abs(plane.beam));
+  double height = top + 0.1 * bounds.diagonal();
+  if (job_.is_drawing()) {
+    plane.at = bounds.centre() - (height - glm::dot(bounds.centre(), -plane.beam)) * plane.beam;
+    return plane;
+  }
+  double lowest = 0;
+  for (const ProgramStroke& stroke : job_.program.strokes) {
+    for (const Vec3& point : stroke.points) lowest = std::min(lowest, point.z);
+  }
+  height -= plane.scale * lowest;
+  plane.at = -height * plane.beam;
+  return plane;
+}
+
+void JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const {
+  if (file().empty()) return;
+  const JobPlane plane = placed(bounds);
+  for (const std::string& note : job_.notes) job.notes.push_back(file() + ": " + note);
+  if (job_.is_drawing()) {
+    strokes = drawing_strokes(job_.drawing.lines, job_.drawing.middle, plane);
+    return;
+  }
+  strokes = program_strokes(job_.program, plane, power_at_s1000);
+  job.program_s = job_.program.duration;
+}
+
+}  // namespace kerf

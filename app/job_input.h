@@ -1,0 +1,43 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/result.h"
+#include "core/document/cut_report.h"
+#include "core/document/job_files.h"
+
+namespace kerf {
+
+// The options of `kerf cut` for a drawing or a program instead of a path file.
+struct JobInput {
+  std::string drawing, gcode;  // files; empty: not given
+  std::optional<std::string> onto, at;
+  std::optional<double> turn, scale, power_at_s1000;
+
+  // Adds the options to the subcommand. Parsing fills this object.
+  void add_to(CLI::App& command);
+  // Returns the file that was given; empty if none was.
+  const std::string& file() const { return drawing.empty() ? gcode : drawing; }
+
+  // Checks the options and reads the file, with curves flattened within a fiftieth of the beam radius [m].
+  // The error names the first wrong option, or the place in the file. `has_path`: a path file was given.
+  Status read(bool has_path, std::optional<double> radius);
+  // Replaces the strokes by those of the file that was read, placed for meshes with these bounds, and adds
+  // notes and duration to the job. Does nothing if there is no file.
+  void add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const;
+
+ private:
+  JobPlane placed(const Bounds& bounds) const;
+
+  JobFile job_;
+  JobPlane plane_;
+};
+
+// Distance from curves within which they are flattened without a radius [m].
+inline constexpr double kCurveTolerance = 1e-5;
+
+}  // namespace kerf

@@ -1,0 +1,186 @@
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/console.h"
+#include "app/job_input.h"
+#include "core/base/platform.h"
+#include "core/document/job_files.h"
+#include "core/document/save.h"
+
+namespace kerf {
+
+namespace {
+
+struct PathOptions {
+  std::string file, out, compensate = "none", tabs;
+  std::optional<double> radius, lead_in, tolerance, power_at_s1000;
+
+  PathSide side() const {
+    return compensate == "left"    ? PathSide::kLeft
+           : compensate == "right" ? PathSide::kRight
+                                   : PathSide::kNone;
+  }
+  // Returns true if the lines are changed, not only converted.
+  bool works() const { return side() != PathSide::kNone || !tabs.empty(); }
+};
+
+// Parses "N,M": a number of tabs and their width in metres.
+Status parse_tabs(const std::string& text, ToolpathOptions& options) {
+  const auto wrong =
+      bad_input("--tabs: must be N,M: a number of tabs from 1 to 1000 and their width in metres");
+  const size_t comma = text.find(',');
+  double count = 0;
+  if (comma == std::string::npos || !parse_number(std::string_view(text).substr(0, comma), count) ||
+      !parse_number(std::string_view(text).substr(comma + 1), options.tab_width))
+    return wrong;
+  if (!(count >= 1 && count <= 1000) || count != static_cast<int>(count) || !(options.tab_width > 0))
+    return wrong;
+  options.tabs = static_cast<int>(count);
+  return Done{};
+}
+
+// One run of `kerf path`, from file to file.
+class PathRun {
+ public:
+  explicit PathRun(PathOptions options) : options_(std::move(options)) {}
+
+  Status run() {
+    if (const Status s = check(); !s) return s;
+    const double fifty = options_.radius.value_or(50 * kCurveTolerance) / 50;
+    auto job = read_job(options_.file, *job_kind(options_.file), options_.tolerance.value_or(fifty));
+    if (!job) return job.error();
+    for (const std::string& note : job->notes) warn(options_.file + ": " + note);
+    std::vector<StrokePath> strokes;
+    if (const Status s = unpack(strokes_of(*job), strokes); !s) return s;
+    if (strokes.empty())
+      return bad_input(options_.file + ": the laser is never on while it moves; nothing is left to write");
+    const auto text = written(strokes);
+    if (!text) return bad_input(options_.file + ": " + text.error().message);
+    if (const Status s = write_file_atomically(options_.out, *text); !s) return s;
+    summarize(summary(strokes, *job));
+    return Done{};
+  }
+
+ private:
+  Status check() {
+    if (options_.compensate != "none" && options_.side() == PathSide::kNone)
+      return bad_input("--compensate: \"" + options_.compensate +
+                       "\" is not a valid value; the values are: left, right, none");
+    if (!job_kind(options_.file)) return bad_input(options_.file + ": must end in .json, .svg, .dxf or .nc");
+    const auto kind = job_kind(options_.out);
+    if (!kind || kind == JobFile::Kind::kDxf)
+      return bad_input("--out: " + options_.out + " must end in .json, .svg or .nc");
+    if (options_.lead_in && options_.side() == PathSide::kNone)
+      return bad_input("--lead-in: requires --compensate left or right");
+    if (!options_.tabs.empty()) {
+      if (const Status s = parse_tabs(options_.tabs, toolpath_); !s) return s;
+    }
+    return input_files(std::array{std::filesystem::path(options_.file)}).check("--out", options_.out);
+  }
+
+  Result<std::vector<StrokePath>> strokes_of(const JobFile& job) {
+    const JobPlane plane = *plane_onto("-y");
+    std::vector<StrokePath> strokes = job.path;
+    if (job.kind == JobFile::Kind::kProgram)
+      strokes = program_strokes(job.program, plane, options_.power_at_s1000);
+    if (job.is_drawing() && !options_.works())
+      strokes = drawing_strokes(job.drawing.lines, job.drawing.middle, plane);
+    if (!options_.works()) {
+      for (StrokePath& stroke : strokes) {
+        if (options_.radius) stroke.radius = *options_.radius;
+      }
+      return strokes;
+    }
+    return worked(job, strokes, plane);
+  }
+
+  // Returns the strokes with compensation, entries and tabs. They have the laser of the first stroke of the
+  // file.
+  Result<std::vector<StrokePath>> worked(const JobFile& job, const std::vector<StrokePath>& strokes,
+                                         JobPlane plane) {
+    std::vector<DrawnLine> lines = job.drawing.lines;
+    if (!job.is_drawing()) {
+      auto flat = plane_lines(strokes);
+      if (!flat) return bad_input(options_.file + ": " + flat.error().message);
+      lines = std::move(*flat);
+      if (!strokes.empty()) plane.at.y = strokes.front().keys.front().origin.y;
+    }
+    const auto radius = options_.radius || strokes.empty() ? options_.radius : strokes.front().radius;
+    if (!radius) return bad_input("--compensate and --tabs: require --radius, the radius of the beam");
+    toolpath_.side = options_.side();
+    toolpath_.radius = *radius;
+    toolpath_.lead_in = options_.lead_in.value_or(0);
+    auto toolpath = make_toolpath(std::move(lines), toolpath_);
+    if (!toolpath) return bad_input(options_.file + ": " + toolpath.error().message);
+    for (const std::string& note : toolpath->notes) warn(options_.file + ": " + note);
+    auto made = drawing_strokes(toolpath->strokes, job.drawing.middle, plane);
+    for (StrokePath& stroke : made) {
+      if (!strokes.empty()) stroke.power = strokes.front().power;
+      if (!strokes.empty()) stroke.range = strokes.front().range;
+      stroke.radius = *radius;
+    }
+    return made;
+  }
+
+  Result<std::string> written(const std::vector<StrokePath>& strokes) const {
+    switch (*job_kind(options_.out)) {
+      case JobFile::Kind::kSvg:
+        return strokes_svg(strokes);
+      case JobFile::Kind::kProgram:
+        return strokes_gcode(strokes, options_.power_at_s1000);
+      default:
+        return path_file_text(strokes);
+    }
+  }
+
+  std::string summary(const std::vector<StrokePath>& strokes, const JobFile& job) const {
+    double way = 0, seconds = 0;
+    for (const StrokePath& stroke : strokes) {
+      way += way_of(stroke);
+      seconds += duration_of(stroke);
+    }
+    if (job.kind == JobFile::Kind::kProgram && !options_.works()) seconds = job.program.duration;
+    return count_text(strokes.size(), "stroke") + " of " + length_text(way) + ", " +
+           std::to_string(static_cast<int64_t>(std::ceil(seconds))) + " s, are in " + options_.out;
+  }
+
+  PathOptions options_;
+  ToolpathOptions toolpath_;
+};
+
+}  // namespace
+
+void add_path_command(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(
+      "path", "Convert paths, drawings and programs, and compensate the width of the kerf");
+  auto o = std::make_shared<PathOptions>();
+  command->footer(
+      "Drawings and programs lie in the plane y = 0, under a beam along -y: their x is +x and their y is -z. "
+      "The\n"
+      "middle of a drawing and the zero of a program are the zero of the world. Drawings have 0.02 m/s.");
+  command->add_option("FILE", o->file, "A path (.json), a drawing (.svg, .dxf) or a program (.nc)")
+      ->required();
+  command->add_option("-o,--out", o->out, "The file to write: .json, .svg or .nc")->required();
+  command->add_option(
+      "--compensate", o->compensate,
+      "Side of the waste, seen along the outermost lines, to which the beam is offset: left, right or none "
+      "(none); lines inside others run the other way");
+  add_number(*command, "--radius", o->radius, kPositive, "Beam radius in metres (that of the path file)");
+  add_number(*command, "--lead-in", o->lead_in, kPositive,
+             "With --compensate: length of a straight entry from the side of the beam, in metres");
+  command->add_option("--tabs", o->tabs, "N,M: leave N tabs of M metres in each closed line");
+  add_number(*command, "--tolerance", o->tolerance, kPositive,
+             "Largest distance of chords from curves, in metres (radius/50, or 0.00001)");
+  add_number(*command, "--power-at-s1000", o->power_at_s1000, kPositive,
+             "Beam power at S1000 in programs, in watts (the largest of the path; programs set no power)");
+  on_call(
+      *command, invocation, [o] { return PathRun(*o).run(); },
+      "kerf path assets/drawings/flange.dxf --compensate right --radius 0.0001 --lead-in 0.001 --out "
+      "flange.nc");
+}
+
+}  // namespace kerf

@@ -1,0 +1,241 @@
+#include "core/document/job_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/deterministic_math.h"
+#include "core/base/number_format.h"
+#include "core/document/text/fields.h"
+#include "core/document/text/json.h"
+
+namespace kerf {
+
+namespace {
+
+struct NamedPlane {
+  std::string_view name;
+  Vec3 right, up;
+};
+constexpr std::array<NamedPlane, 6> kPlanes{{{"+x", {0, 0, 1}, {0, 1, 0}},
+                                             {"-x", {0, 0, -1}, {0, 1, 0}},
+                                             {"+y", {1, 0, 0}, {0, 0, 1}},
+                                             {"-y", {1, 0, 0}, {0, 0, -1}},
+                                             {"+z", {-1, 0, 0}, {0, 1, 0}},
+                                             {"-z", {1, 0, 0}, {0, 1, 0}}}};
+
+struct JobEnding {
+  std::string_view ending;
+  JobFile::Kind kind;
+};
+constexpr std::array<JobEnding, 7> kJobEndings{{{".json", JobFile::Kind::kPath},
+                                                {".svg", JobFile::Kind::kSvg},
+                                                {".dxf", JobFile::Kind::kDxf},
+                                                {".nc", JobFile::Kind::kProgram},
+                                                {".ngc", JobFile::Kind::kProgram},
+                                                {".gcode", JobFile::Kind::kProgram},
+                                                {".tap", JobFile::Kind::kProgram}}};
+
+// Returns an error about a stroke of a path that a flat file cannot hold.
+Error cannot_hold(size_t stroke, const std::string& why) {
+  return bad_input("stroke " + std::to_string(stroke) + ": " + why);
+}
+
+// Converts the strokes to coordinates of the plane of plane_onto("-y").
+Result<std::vector<std::vector<Vec3>>> plane_points(std::span<const StrokePath> strokes) {
+  const JobPlane plane = *plane_onto("-y");
+  std::vector<std::vector<Vec3>> all;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    std::vector<Vec3>& points = all.emplace_back();
+    for (const Pose& key : strokes[i].keys) {
+      const Vec3 tilt = key.direction - plane.beam;
+      if (glm::dot(tilt, tilt) > kUnitSlack)
+        return cannot_hold(i, "only a beam along -y can be converted; keep the path as JSON");
+      points.push_back(plane.coordinates(key.origin));
+    }
+  }
+  return all;
+}
+
+// Returns the times of points that are passed at kDrawingSpeed. They ascend even where points coincide.
+std::vector<double> drawing_times(const std::vector<Pose>& keys) {
+  std::vector<double> times{0};
+  for (size_t k = 1; k < keys.size(); ++k) {
+    const double time = times.back() + glm::length(keys[k].origin - keys[k - 1].origin) / kDrawingSpeed;
+    times.push_back(std::max(time, std::nextafter(times.back(), 1e300)));
+  }
+  return times;
+}
+
+double largest_power(std::span<const StrokePath> strokes) {
+  double power = 0;
+  for (const StrokePath& stroke : strokes) power = std::max(power, stroke.power.value_or(0));
+  return power > 0 ? power : 1000;
+}
+
+Result<std::vector<ProgramStroke>> program_of(std::span<const StrokePath> strokes, double power_at_s1000) {
+  auto all = plane_points(strokes);
+  if (!all) return all.error();
+  std::vector<ProgramStroke> program;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const double power = 1000 * strokes[i].power.value_or(power_at_s1000) / power_at_s1000;
+    if (!(power <= 1e9)) return cannot_hold(i, "S is too large; use a larger --power-at-s1000");
+    for (const Vec3& point : (*all)[i]) {
+      if (!(glm::length(point) <= 1e5)) return cannot_hold(i, "a point is farther than 100 km from the zero");
+    }
+    if (power > 0) program.push_back({std::move((*all)[i]), strokes[i].times, power, 0});
+  }
+  return program;
+}
+
+}  // namespace
+
+Vec3 JobPlane::point(Vec2 p, double height) const {
+  const auto [sin, cos] = sin_cos(turn);
+  const Vec2 q = scale * Vec2(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+  return at + q.x * right + q.y * up - scale * height * beam;
+}
+
+Vec3 JobPlane::coordinates(const Vec3& point) const {
+  KERF_ASSERT(turn == 0 && scale == 1);
+  return {glm::dot(point - at, right), glm::dot(point - at, up), -glm::dot(point - at, beam)};
+}
+
+Result<JobPlane> plane_onto(std::string_view axis) {
+  for (const NamedPlane& row : kPlanes) {
+    if (row.name != axis) continue;
+    JobPlane plane;
+    plane.right = row.right;
+    plane.up = row.up;
+    plane.beam = -glm::cross(row.right, row.up) + Vec3(0);
+    return plane;
+  }
+  return bad_input("\"" + std::string(axis) +
+                   "\" is not a valid value; the values are: +x, -x, +y, -y, +z, -z");
+}
+
+std::optional<JobFile::Kind> job_kind(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const JobEnding& row : kJobEndings) {
+    if (row.ending == ending) return row.kind;
+  }
+  return std::nullopt;
+}
+
+Result<JobFile> read_job_text(std::string_view text, const std::string& where, JobFile::Kind kind,
+                              double tolerance) {
+  JobFile job;
+  job.kind = kind;
+  if (kind == JobFile::Kind::kPath) {
+    if (const Status s = unpack(read_path_text(text, where), job.path); !s) return s.error();
+  } else if (kind == JobFile::Kind::kProgram) {
+    if (const Status s = unpack(read_gcode(text, where, tolerance), job.program); !s) return s.error();
+    job.notes = job.program.notes;
+  } else {
+    auto drawing =
+        kind == JobFile::Kind::kSvg ? read_svg(text, where, tolerance) : read_dxf(text, where, tolerance);
+    if (!drawing) return drawing.error();
+    job.drawing = std::move(*drawing);
+    const auto left_out = left_out_text(job.drawing);
+    if (job.drawing.lines.empty())
+      return bad_input(where + ": the drawing has no lines" + (left_out ? "; " + *left_out : ""));
+    if (left_out) job.notes.push_back(*left_out);
+  }
+  return job;
+}
+
+Result<JobFile> read_job(const std::filesystem::path& file, JobFile::Kind kind, double tolerance) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  return read_job_text(*text, file.string(), kind, tolerance);
+}
+
+std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 middle,
+                                        const JobPlane& plane) {
+  std::vector<StrokePath> strokes;
+  for (const DrawnLine& line : lines) {
+    StrokePath& stroke = strokes.emplace_back();
+    for (const Vec2& point : line.points) stroke.keys.push_back({plane.point(point - middle, 0), plane.beam});
+    if (line.closed) stroke.keys.push_back(stroke.keys.front());
+    stroke.times = drawing_times(stroke.keys);
+  }
+  return strokes;
+}
+
+std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& plane,
+                                        std::optional<double> power_at_s1000) {
+  std::vector<StrokePath> strokes;
+  for (const ProgramStroke& lit : program.strokes) {
+    StrokePath& stroke = strokes.emplace_back();
+    for (const Vec3& point : lit.points)
+      stroke.keys.push_back({plane.point({point.x, point.y}, point.z), plane.beam});
+    stroke.times = lit.times;
+    if (power_at_s1000) stroke.power = lit.power_word / 1000 * *power_at_s1000;
+  }
+  return strokes;
+}
+
+Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes) {
+  const auto all = plane_points(strokes);
+  if (!all) return all.error();
+  std::vector<DrawnLine> lines;
+  for (size_t i = 0; i < all->size(); ++i) {
+    DrawnLine line;
+    const std::vector<Vec3>& points = (*all)[i];
+    for (const Vec3& point : points) {
+      if (std::abs(point.z - points.front().z) > 1e-9 * (1 + std::abs(point.z)))
+        return cannot_hold(i, "the path is not level; only flat paths can be converted");
+      if (line.points.empty() || Vec2(point) != line.points.back()) line.points.emplace_back(point);
+    }
+    if (line.points.size() > 3 && line.points.front() == line.points.back()) {
+      line.points.pop_back();
+      line.closed = true;
+    }
+    if (line.points.size() > 1) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000) {
+  const double power = power_at_s1000.value_or(largest_power(strokes));
+  const auto program = program_of(strokes, power);
+  if (!program) return program.error();
+  std::string watts;
+  append_number(watts, power);
+  return gcode_text(*program, "Kerf, " + count_text(strokes.size(), "stroke") + ", S1000 is " + watts + " W");
+}
+
+Result<std::string> strokes_svg(std::span<const StrokePath> strokes) {
+  const auto lines = plane_lines(strokes);
+  if (!lines) return lines.error();
+  Vec2 half{0};
+  for (const DrawnLine& line : *lines) {
+    for (const Vec2& point : line.points) half = glm::max(half, 1000.0 * glm::abs(point));
+  }
+  half = glm::max(half, Vec2(0.5));
+  std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" width=")";
+  append_number(text, 2 * half.x);
+  text += "mm\" height=\"";
+  append_number(text, 2 * half.y);
+  text += "mm\" viewBox=\"";
+  for (const double x : {-half.x, -half.y, 2 * half.x}) {
+    append_number(text, x);
+    text += ' ';
+  }
+  append_number(text, 2 * half.y);
+  text += "\" fill=\"none\" stroke=\"black\" stroke-width=\"0.1\">\n";
+  for (const DrawnLine& line : *lines) {
+    text += "  <path d=\"";
+    for (size_t i = 0; i < line.points.size(); ++i) {
+      text += i == 0 ? "M" : " L";
+      append_number(text, 1000 * line.points[i].x);
+      text += ' ';
+      append_number(text, -1000 * line.points[i].y + 0.0);
+    }
+    text += line.closed ? " Z\"/>\n" : "\"/>\n";
+  }
+  return text + "</svg>\n";
+}
+
+}  // namespace kerf

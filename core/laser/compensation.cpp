@@ -162,7 +162,27 @@ class OffsetTrim {
     }
   }
 
+  // Removes short parts that end where no other begins, or begin where none ends.
+  void drop_dead_ends() {
+    std::vector<uint32_t> begins(nodes_.size(), 0), ends(nodes_.size(), 0);
+    for (const OffsetPart& part : parts_) {
+      ++begins[part.from];
+      ++ends[part.to];
+    }
+    for (size_t before = 0; before != parts_.size();) {
+      before = parts_.size();
+      std::erase_if(parts_, [&](const OffsetPart& part) {
+        const bool dead = begins[part.to] == 0 || ends[part.from] == 0;
+        if (!dead || glm::length(nodes_[part.to] - nodes_[part.from]) > kOffsetGap * radius_) return false;
+        --begins[part.from];
+        --ends[part.to];
+        return true;
+      });
+    }
+  }
+
   std::vector<DrawnLine> chains() {
+    if (closed_) drop_dead_ends();
     for (uint32_t i = 0; i < parts_.size(); ++i) at_[parts_[i].from].push_back(i);
     used_.resize(parts_.size(), false);
     std::vector<DrawnLine> lines;

@@ -22,6 +22,7 @@ LIMITS = ['-max_len=8192', '-timeout=10', '-rss_limit_mb=1024', '-malloc_limit_m
 OF_STROKES = ['-timeout=180', '-report_slow_units=60', '-rss_limit_mb=2048', '-entropic=0']
 SHORT, LONG = ['-max_len=64', *OF_STROKES], ['-max_len=300', *OF_STROKES]
 OF_IMAGES = ['-max_len=8192', '-timeout=20', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
+OF_DRAWINGS = ['-max_len=8192', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
 OF_LIBRARY = ['-max_len=512', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
 MOST_LONG = 64  # that are kept for the next run to begin from: each takes a part of a second
 
@@ -33,7 +34,7 @@ def runs_of(targets):
             yield 'short_strokes', target, SHORT
             yield 'long_strokes', target, LONG
         else:
-            yield target, target, {'library': OF_LIBRARY, 'images': OF_IMAGES}.get(target, LIMITS)
+            yield target, target, {'library': OF_LIBRARY, 'images': OF_IMAGES, 'drawings': OF_DRAWINGS}.get(target, LIMITS)
 
 
 def fuzz(folder, name, target, limits, seconds):

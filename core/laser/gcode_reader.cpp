@@ -97,7 +97,7 @@ struct GcodeBlock {
   bool has_axis() const { return letter('X') || letter('Y') || letter('Z'); }
 };
 
-enum class Motion { kRapid = 0, kFeed = 1, kClockwise = 2, kCounterClockwise = 3 };
+enum class GcodeMotion { kRapid = 0, kFeed = 1, kClockwise = 2, kCounterClockwise = 3 };
 
 // Reads and executes a program line by line.
 class GcodeReader {
@@ -250,7 +250,7 @@ class GcodeReader {
     const auto& seconds = block.letter('P');
     if (!seconds || !(seconds->value >= 0)) return wrong(block.at, "G4 needs P, the seconds of the dwell");
     time_ += seconds->value;
-    const bool is_on = enabled_ && constant_ && power_ > 0 && motion_ != Motion::kRapid;
+    const bool is_on = enabled_ && constant_ && power_ > 0 && motion_ != GcodeMotion::kRapid;
     if (!is_on) {
       end_stroke();
     } else if (stroke_.points.empty()) {
@@ -277,15 +277,15 @@ class GcodeReader {
 
   Status move(const GcodeBlock& block) {
     const int motion = block.word(ModalGroup::kMotion);
-    if (motion >= 0) motion_ = static_cast<Motion>(motion / 10);
+    if (motion >= 0) motion_ = static_cast<GcodeMotion>(motion / 10);
     if (block.word(ModalGroup::kSetPosition) >= 0) return set_position(block);
     if (block.word(ModalGroup::kHome) >= 0) {
       if (block.has_axis()) rapid(target(block));
       rapid(Vec3(0));
       return Done{};
     }
-    const bool is_arc = motion_ == Motion::kClockwise || motion_ == Motion::kCounterClockwise;
-    if (motion_ == Motion::kRapid) {
+    const bool is_arc = motion_ == GcodeMotion::kClockwise || motion_ == GcodeMotion::kCounterClockwise;
+    if (motion_ == GcodeMotion::kRapid) {
       if (block.has_axis() || motion >= 0) rapid(target(block));
       return Done{};
     }
@@ -353,7 +353,7 @@ class GcodeReader {
     const Vec2 begin = from2 - centre, end = to2 - centre;
     const double first = glm::length(begin), last = glm::length(end);
     double sweep = det::atan2(cross2(begin, end), glm::dot(begin, end));
-    const bool left = motion_ == Motion::kCounterClockwise;
+    const bool left = motion_ == GcodeMotion::kCounterClockwise;
     if (from2 == to2) sweep = 0;
     if (left && sweep <= 0) sweep += 2 * kPi;
     if (!left && sweep >= 0) sweep -= 2 * kPi;
@@ -392,7 +392,7 @@ class GcodeReader {
     if (std::abs(radius) < half && half - std::abs(radius) > 1e-3 * half + 5e-6)
       return wrong(block.letter('R')->at, "R is shorter than half the distance of the end points");
     const double height = std::sqrt(std::max(0.0, radius * radius - half * half)) / (2 * half);
-    const bool left = (motion_ == Motion::kCounterClockwise) == (radius > 0);
+    const bool left = (motion_ == GcodeMotion::kCounterClockwise) == (radius > 0);
     centre = 0.5 * (from + to) + (left ? height : -height) * Vec2(-chord.y, chord.x);
     return Done{};
   }
@@ -450,7 +450,7 @@ class GcodeReader {
   Vec3 position_{0}, offset_{0};
   double time_ = 0, unit_ = 0.001, power_ = 0;
   double feed_ = 0;  // m/s, or with G93 moves per second
-  Motion motion_ = Motion::kRapid;
+  GcodeMotion motion_ = GcodeMotion::kRapid;
   int plane_ = 170;
   bool relative_ = false, absolute_centre_ = false, inverse_time_ = false;
   bool enabled_ = true, constant_ = true;

@@ -1,0 +1,147 @@
+"""Cuts along drawings and programs, and conversions between them. `jobs_test.py KERF`."""
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERF = os.path.abspath(sys.argv.pop(1))
+DRAWINGS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), 'assets', 'drawings')
+RADIUS = 0.0002
+SVG = ('<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 200 200">'
+       '<g transform="translate(20 20)"><path d="M0,0h60v60h-60z"/></g><circle cx="140" cy="140" r="30"/>'
+       '<text>A</text></svg>')
+
+
+class Jobs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), 'w', encoding='utf-8') as file:
+            file.write(text)
+        return self.path(name)
+
+    def sheet(self, half, middle=(0, 0, 0), axes=((1, 0, 0), (0, 0, 1))):
+        """A square in two triangles."""
+        corners = [[m + half * (s * a + t * b) for m, a, b in zip(middle, *axes)] for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        return self.write('sheet.obj', ''.join('v {} {} {}\n'.format(*c) for c in corners) + 'f 1 4 3\nf 1 3 2\n')
+
+    def kerf(self, *arguments, status=0):
+        done = subprocess.run([KERF, *map(str, arguments)], capture_output=True, text=True, check=False)
+        self.assertEqual(status, done.returncode, done.stderr)
+        return done.stderr
+
+    def cut(self, sheet, *options):
+        self.kerf('cut', sheet, '--radius', RADIUS, '--rim', 'smooth', '--out', self.path('out'), *options)
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            return json.load(file)
+
+    def areas(self, report):
+        return sorted(piece['area'] for piece in report['pieces'])[:-1]
+
+    def test_a_drawing_cuts_drops_of_its_areas_less_the_kerf(self):
+        svg = self.write('a.svg', SVG)
+        report = self.cut(self.sheet(.05), '--drawing', svg, '--onto', '-y', '--at', '0,1,0', '--range', '0,2')
+        circle, square = self.areas(report)
+        self.assertAlmostEqual(square, (.03 - 2 * RADIUS)**2, delta=1e-6)
+        self.assertAlmostEqual(circle, math.pi * (.015 - RADIUS)**2, delta=1e-6)
+        # The square lies to the left (-x) and at the top (-z).
+        drops = sorted(report['pieces'], key=lambda piece: piece['area'])
+        self.assertAlmostEqual(drops[0]['centroid'][0], .02, delta=1e-4)
+        self.assertAlmostEqual(drops[1]['centroid'][0], -.025, delta=1e-4)
+        self.assertAlmostEqual(drops[1]['centroid'][2], -.025, delta=1e-4)
+        self.assertIn(f'{svg}: left out: 1 text', report['notes'])
+        self.assertIn(svg, report['inputs'])
+
+    def test_a_drawing_lies_above_the_middle_upright_turned_and_scaled(self):
+        svg = self.write('a.svg', SVG)
+        sheet = self.sheet(.1, (3, 2, 1), ((0, 0, 1), (0, 1, 0)))
+        report = self.cut(sheet, '--drawing', svg, '--onto', '-x', '--turn', 90, '--scale', 1.5)
+        circle, square = sorted(report['pieces'], key=lambda piece: piece['area'])[:2]
+        self.assertAlmostEqual(square['area'], (.045 - 2 * RADIUS)**2, delta=2e-6)
+        # Right is -z and up is +y; a quarter turn takes the upper left (-1, 1) to the lower left (-1, -1).
+        for got, wanted in zip(square['centroid'], (3, 2 - .0375, 1 + .0375)):
+            self.assertAlmostEqual(got, wanted, delta=1e-4)
+        for got, wanted in zip(circle['centroid'], (3, 2 + .03, 1 - .03)):
+            self.assertAlmostEqual(got, wanted, delta=1e-4)
+
+    def test_a_compensated_flange_has_the_areas_of_the_drawing(self):
+        nc = self.path('flange.nc')
+        self.kerf('path', os.path.join(DRAWINGS, 'flange.dxf'), '--out', nc, '--compensate', 'right', '--radius', RADIUS)
+        report = self.cut(self.sheet(.08), '--gcode', nc, '--at', '0,1,0', '--range', '0,2')
+        areas = self.areas(report)
+        self.assertEqual(14, len(areas))  # twelve holes, the bore and the flange
+        flange = math.pi * (.06**2 - .03**2 - 12 * .004**2)
+        # 2 % of the radius along all lines.
+        self.assertAlmostEqual(areas[-1], flange, delta=.02 * RADIUS * 2 * math.pi * (.06 + .03 + 12 * .004))
+        for area in areas[:12]:
+            self.assertAlmostEqual(area, math.pi * (.004 - 2 * RADIUS)**2, delta=1e-7)
+        # Holes come first, the outline last.
+        outline = [line for line in open(nc, encoding='utf-8') if line.startswith('G0')][-1]
+        self.assertAlmostEqual(abs(float(outline.split()[1][1:])), 60 + 1000 * RADIUS, delta=.001)
+
+    def test_a_program_becomes_a_path_with_power_and_the_report_states_its_duration(self):
+        nc = self.write('a.nc', '%\nG21 G90 G17\nM4 S0\nG0 X10 Y10\nG1 X40 S800 F1200\nG1 Y40\nG2 X40 Y60 I0 J10\nG1 X10\n'
+                                'G1 Y10\nM5\nM2\n%\n')
+        self.kerf('path', nc, '--out', self.path('a.json'), '--power-at-s1000', 2000)
+        with open(self.path('a.json'), encoding='utf-8') as file:
+            stroke, = json.load(file)['strokes']
+        self.assertEqual(1600, stroke['laser']['power'])
+        self.assertEqual([.01, 0, -.01], stroke['keys'][0]['origin'])
+        way = 30 + 30 + math.pi * 10 + 30 + 50
+        self.assertAlmostEqual(stroke['keys'][-1]['t'] - stroke['keys'][0]['t'], way / 20, delta=1e-6)
+        report = self.cut(self.sheet(.1), '--gcode', nc)
+        self.assertAlmostEqual(report['program_ms'], 1000 * way / 20 + 1000 * math.hypot(.01, .01) * 6, delta=1)
+        # An arc from (40, 40) to (40, 60) about (40, 50), clockwise: on the left, into the rectangle.
+        self.assertAlmostEqual(self.areas(report)[0], .03 * .05 - math.pi * .01**2 / 2 - RADIUS * way / 1000, delta=1e-6)
+
+    def test_conversions_restore_the_path(self):
+        svg = self.write('a.svg', SVG)
+        strokes = []
+        for name in ('a.json', 'b.nc', 'c.json', 'd.svg', 'e.json'):
+            self.kerf('path', svg if name == 'a.json' else source, '--out', self.path(name))
+            source = self.path(name)
+            if name.endswith('.json'):
+                with open(source, encoding='utf-8') as file:
+                    strokes.append([[key['origin'] for key in stroke['keys']] for stroke in json.load(file)['strokes']])
+        for back in strokes[1:]:
+            self.assertEqual([len(keys) for keys in strokes[0]], [len(keys) for keys in back])
+            for keys, again in zip(strokes[0], back):
+                for p, q in zip(keys, again):
+                    self.assertLess(math.dist(p, q), 1e-12)
+
+    def test_bad_input_names_its_place_and_writes_nothing(self):
+        bad = self.write('bad.nc', 'G21\nG1 X10 F100\nG2 X5 Y5 I100 J100\n')
+        self.assertIn('bad.nc, line 3, column 1: ', self.kerf('path', bad, '--out', self.path('x.json'), status=2))
+        self.assertIn('bad.nc, line 3', self.kerf('cut', self.sheet(1), '--gcode', bad, '--out', self.path('out'), status=2))
+        svg = self.write('bad.svg', '<svg>\n<path d="M0 0 R"/></svg>')
+        self.assertIn("bad.svg, line 2, column 15: d: 'R' is no command", self.kerf(
+            'cut', self.sheet(1), '--drawing', svg, '--out', self.path('out'), status=2))
+        self.assertFalse(os.path.exists(self.path('out')) or os.path.exists(self.path('x.json')))
+        good = self.write('good.svg', SVG)
+        for options, words in (
+                (['--onto', '-y'], 'require --drawing or --gcode'),
+                (['--drawing', good, '--onto', 'y'], '--onto: "y" is not a valid value'),
+                (['--drawing', good, '--at', '1,2'], '--at: must be three numbers'),
+                (['--drawing', good, '--power-at-s1000', '5'], 'requires --gcode'),
+                (['--drawing', good, '--gcode', bad], 'give only one of them'),
+                (['--drawing', self.sheet(1)], 'must end in .svg or .dxf')):
+            self.assertIn(words, self.kerf('cut', self.sheet(1), *options, '--out', self.path('out'), status=2))
+        for options, words in (
+                (['--compensate', 'up'], 'the values are: left, right, none'),
+                (['--compensate', 'left'], 'require --radius'),
+                (['--lead-in', '1'], 'requires --compensate'),
+                (['--tabs', '2'], '--tabs: must be N,M')):
+            self.assertIn(words, self.kerf('path', good, *options, '--out', self.path('x.nc'), status=2))
+        self.assertIn('.json, .svg or .nc', self.kerf('path', good, '--out', self.path('x.dxf'), status=2))
+        self.assertIn('good.svg', self.kerf('path', good, '--out', good, status=2))
+
+
+unittest.main()

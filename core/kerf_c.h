@@ -5,8 +5,7 @@
  * arrays, and traces rays. core/README.md, section Stability, states what later versions keep.
  *
  * Units are SI: metres, seconds, watts, kilograms, kelvin. Frames are right-handed with +Y up; faces are
- * counter-clockwise seen from outside. An array of n points or directions holds 3 n numbers: x, y, z of
- * each.
+ * counter-clockwise seen from outside. An array of n points or directions holds 3 n numbers: x, y, z.
  *
  * Errors: a function that can fail returns a kerf_result; kerf_last_error() then returns one sentence that
  * says what failed, where, and what to do. A null pointer is KERF_INVALID_ARGUMENT unless stated otherwise.
@@ -117,14 +116,12 @@ KERF_API kerf_result kerf_mesh_create_from(const void* vertices, size_t vertex_c
 /* Writes the positions and faces of a mesh to buffers; bytes between them stay as they are.
  * layout: may be null.
  * vertices, faces: room for kerf_mesh_vertex_count and kerf_mesh_face_count elements; may be null.
- * Errors: KERF_INVALID_ARGUMENT for a stride smaller than an element, or if 16 bits are too few for the
- * vertices. O(n). */
+ * Errors: KERF_INVALID_ARGUMENT for a stride below an element, or too many vertices for 16 bits. O(n). */
 KERF_API kerf_result kerf_mesh_copy_to(const kerf_mesh* mesh, const kerf_layout* layout, void* vertices,
                                        void* faces);
 
 /* Reads a mesh from the bytes of a file, like kerf_mesh_read. Files to which the bytes refer are not read.
- * format: null: the bytes decide; else "obj", "ply", "stl", "off", "glb", "gltf" or "3mf", used if they do
- *   not.
+ * format: a hint, "obj", "ply", "stl", "off", "glb", "gltf" or "3mf"; null: none.
  * Errors: KERF_INVALID_ARGUMENT for bytes that cannot be parsed, or have no usable face. O(byte_count). */
 KERF_API kerf_result kerf_mesh_decode(const void* bytes, size_t byte_count, const char* format,
                                       const kerf_call_options* options, kerf_mesh** out);
@@ -168,8 +165,7 @@ KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
 KERF_API const double* kerf_mesh_vertices(const kerf_mesh* mesh);
 KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 
-/* Returns the temperature of each face (K) of a piece of a world; null for any other mesh. Valid while the
- * mesh exists. O(1). */
+/* Returns the temperatures of the faces of a piece (K), null for another mesh; valid like these. O(1). */
 KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
 
 /* Attributes of a mesh: values at the corners of its faces, as read or interpolated by cuts. Names are as in
@@ -426,11 +422,10 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);
 
-/* Cuts all visible bodies along a plane by a knife of no width, which removes nothing: faces are split
- * exactly where the plane crosses them, both sides become pieces of their own, and those of solids are closed
- * by walls. The plane holds the points x with normal . x = distance. A step of the history. normal: finite
- * and not zero, of any length. options: may be null. Errors: KERF_INVALID_ARGUMENT; KERF_FAILED if a body
- * would exceed the maximum number of faces; KERF_CANCELLED. O(faces). */
+/* Cuts all visible bodies along the plane normal . x = distance by a knife of no width, which removes nothing:
+ * both sides become pieces of their own, and those of solids are closed by walls. A step of the history.
+ * normal: finite and not zero, of any length.
+ * Errors: KERF_INVALID_ARGUMENT; KERF_FAILED for too many faces of a body; KERF_CANCELLED. O(faces). */
 KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal[3], double distance,
                                           const kerf_call_options* options);
 
@@ -496,8 +491,7 @@ KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 /* Undo the last step of the history, or redo the step undone last: a stroke, an added body, an edit of a
  * piece, or the simulation since the last other step. The world is restored to the bit.
  * done: receives 1, or 0 if there is nothing to undo or redo; may be null.
- * Errors: KERF_FAILED if the step is no longer stored (see kerf_world_set_undo_memory). Cost: proportional
- * to what the step changed. */
+ * Errors: KERF_FAILED if the step is no longer stored (see kerf_world_set_undo_memory). O(changes). */
 KERF_API kerf_result kerf_world_undo(kerf_world* world, int* done);
 KERF_API kerf_result kerf_world_redo(kerf_world* world, int* done);
 
@@ -609,8 +603,7 @@ KERF_API kerf_result kerf_world_take_changes(kerf_world* world, kerf_changes* ou
 
 /* -- Hits -- */
 
-/* Points of visible surfaces: `count` entries in each array, of 3 numbers for vectors. Free them with
- * kerf_hits_free. */
+/* Points of visible surfaces, `count` in each array, 3 numbers for vectors; free with kerf_hits_free. */
 typedef struct kerf_hits {
   size_t size;
   void* owner; /* internal */
@@ -658,8 +651,7 @@ KERF_API kerf_result kerf_world_closest_points(const kerf_world* world, const do
  * and the distance from it. Sorted by body, then by face.
  * min, max: corners in the world (m), -1e150 <= min <= max <= 1e150.
  * out: its size is set; receives an entry per face.
- * Errors: KERF_INVALID_ARGUMENT for a number that violates the above. About 0.5 us per face within the
- * circumscribed sphere. */
+ * Errors: KERF_INVALID_ARGUMENT for other numbers. About 0.5 us per face in the circumscribed sphere. */
 KERF_API kerf_result kerf_world_faces_in_box(const kerf_world* world, const double min[3],
                                              const double max[3], const kerf_call_options* options,
                                              kerf_hits* out);
@@ -683,8 +675,7 @@ KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* 
  * a cut; KERF_FAILED if a file cannot be written. O(n log n). */
 KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char* path);
 
-/* Returns a report of all cuts as JSON, with the keys of report.json of `kerf cut`; "file" is the name of
- * the piece.
+/* Returns a report of all cuts as JSON, like report.json of `kerf cut`; "file" is the name of the piece.
  * out: receives the text; free it with kerf_text_free. O(n log n). */
 KERF_API kerf_result kerf_world_report(const kerf_world* world, const kerf_call_options* options, char** out);
 

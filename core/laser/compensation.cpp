@@ -120,7 +120,7 @@ class OffsetTrim {
     constexpr size_t kMaxPairs = 50'000'000;
     double total = 0;
     for (const Segment2& s : raw_) total += glm::length(s.end - s.begin);
-    on_.resize(raw_.size());
+    crossings_.resize(raw_.size());
     if (!(total > 0)) return true;
     const SegmentGrid grid(raw_, 2 * total / static_cast<double>(raw_.size()));
     std::vector<std::pair<uint32_t, uint32_t>> pairs;
@@ -140,8 +140,8 @@ class OffsetTrim {
     if (!(0 <= t && t <= 1 && 0 <= u && u <= 1)) return;
     const auto node = static_cast<uint32_t>(nodes_.size());
     nodes_.push_back(raw_[i].begin + t * a);
-    on_[i].push_back({t, node});
-    on_[j].push_back({u, node});
+    crossings_[i].push_back({t, node});
+    crossings_[j].push_back({u, node});
   }
 
   // Keeps the parts that are far enough from the source.
@@ -149,10 +149,10 @@ class OffsetTrim {
     const SegmentGrid grid(source_, radius_);
     const double least = (1 - kOffsetSlack) * radius_;
     for (uint32_t i = 0; i < raw_.size(); ++i) {
-      std::sort(on_[i].begin(), on_[i].end());
+      std::sort(crossings_[i].begin(), crossings_[i].end());
       OffsetPart part = ends_[i];
-      on_[i].push_back({1, part.to});
-      for (const auto& [t, node] : on_[i]) {
+      crossings_[i].push_back({1, part.to});
+      for (const auto& [t, node] : crossings_[i]) {
         part.to = node;
         const Vec2 a = nodes_[part.from], b = nodes_[part.to];
         const auto is_near = [&](double share) { return grid.is_near(a + share * (b - a), least); };
@@ -233,8 +233,8 @@ class OffsetTrim {
   bool closed_;
   double radius_;
   std::vector<Segment2> raw_;
-  std::vector<OffsetPart> ends_;                              // of each raw segment
-  std::vector<std::vector<std::pair<double, uint32_t>>> on_;  // crossings on each raw segment
+  std::vector<OffsetPart> ends_;                                     // of each raw segment
+  std::vector<std::vector<std::pair<double, uint32_t>>> crossings_;  // crossings on each raw segment
   std::vector<OffsetPart> parts_;
   std::map<uint32_t, std::vector<uint32_t>> at_;  // parts by the node where they begin
   std::vector<bool> used_;

@@ -10,7 +10,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // m
+constexpr double kFlatness = 1e-6;  // m
 constexpr double kMillimetre = 1e-3;
 
 double area_of_line(const DrawnLine& line) {
@@ -32,19 +32,19 @@ Drawing svg_of(const std::string& shapes) {
   const auto drawing =
       read_svg("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'>" +
                    shapes + "</svg>",
-               "test.svg", kTolerance);
+               "test.svg", kFlatness);
   EXPECT_TRUE(drawing.ok()) << (drawing ? "" : drawing.error().message);
   return drawing ? *drawing : Drawing();
 }
 
 std::string svg_error(const std::string& text) {
-  const auto drawing = read_svg(text, "test.svg", kTolerance);
+  const auto drawing = read_svg(text, "test.svg", kFlatness);
   return drawing ? "" : drawing.error().message;
 }
 
 Drawing dxf_of(const std::string& entities, const std::string& header = "") {
   const auto drawing = read_dxf(header + "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n",
-                                "test.dxf", kTolerance);
+                                "test.dxf", kFlatness);
   EXPECT_TRUE(drawing.ok()) << (drawing ? "" : drawing.error().message);
   return drawing ? *drawing : Drawing();
 }
@@ -60,7 +60,7 @@ void expect_on_circle(const DrawnLine& line, Vec2 centre, double radius) {
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {
     EXPECT_NEAR(glm::length(line.points[i] - centre), radius, 1e-12);
     const Vec2 middle = 0.5 * (line.points[i] + line.points[i + 1]);
-    EXPECT_NEAR(glm::length(middle - centre), radius, kTolerance);
+    EXPECT_NEAR(glm::length(middle - centre), radius, kFlatness);
   }
 }
 
@@ -70,8 +70,8 @@ TEST(SvgDrawing, circles_and_ellipses_have_their_area_within_the_tolerance) {
   // Chords lie inside the curve, at most the tolerance away along its length.
   const double circle = kPi * 0.015 * 0.015, ellipse = kPi * 0.02 * 0.005;
   EXPECT_LE(std::abs(area_of_line(drawing.lines[0])), circle);
-  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[0])), circle, 2 * kPi * 0.015 * kTolerance);
-  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[1])), ellipse, 2 * kPi * 0.02 * kTolerance);
+  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[0])), circle, 2 * kPi * 0.015 * kFlatness);
+  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[1])), ellipse, 2 * kPi * 0.02 * kFlatness);
   EXPECT_TRUE(drawing.lines[0].closed);
   EXPECT_LT(glm::length(drawing.middle - Vec2(0.05, -0.05)), 1e-15);
 }
@@ -131,7 +131,7 @@ TEST(SvgDrawing, bezier_curves_keep_the_tolerance) {
   for (size_t i = 0; i + 1 < points.size(); ++i) {
     EXPECT_LT(glm::length(points[i] - at(static_cast<double>(i) / n)), 1e-12);
     const Vec2 middle = at((static_cast<double>(i) + 0.5) / n);
-    EXPECT_LT(glm::length(0.5 * (points[i] + points[i + 1]) - middle), kTolerance);
+    EXPECT_LT(glm::length(0.5 * (points[i] + points[i + 1]) - middle), kFlatness);
   }
 }
 
@@ -156,7 +156,7 @@ TEST(SvgDrawing, units_are_those_of_css) {
   const auto drawing = read_svg(
       "<svg width='2in' height='96'><line x2='1in'/><line x2='96'/><line x2='72pt'/><line x2='25.4mm'/>"
       "<line x2='2.54cm'/><line x2='6pc'/><line x2='101.6Q'/><line x2='50%'/></svg>",
-      "test.svg", kTolerance);
+      "test.svg", kFlatness);
   ASSERT_TRUE(drawing.ok()) << drawing.error().message;
   ASSERT_EQ(drawing->lines.size(), 8u);
   for (const DrawnLine& line : drawing->lines) EXPECT_NEAR(line.points[1].x, 0.0254, 1e-15);
@@ -166,7 +166,7 @@ TEST(SvgDrawing, units_are_those_of_css) {
 TEST(SvgDrawing, a_view_box_is_centred_in_a_page_of_another_shape) {
   const auto drawing =
       read_svg("<svg width='100mm' height='40mm' viewBox='-10 -10 20 20'><line x2='10'/></svg>", "test.svg",
-               kTolerance);
+               kFlatness);
   ASSERT_TRUE(drawing.ok());
   EXPECT_LT(glm::length(drawing->lines[0].points[0] - Vec2(0.05, -0.02)), 1e-15);
   EXPECT_LT(glm::length(drawing->lines[0].points[1] - Vec2(0.07, -0.02)), 1e-15);
@@ -218,7 +218,7 @@ TEST(DxfDrawing, bulges_are_arcs_whose_angle_has_their_tangent) {
       "0\nLWPOLYLINE\n90\n4\n70\n1\n10\n0\n20\n0\n10\n40\n20\n0\n42\n1\n10\n40\n20\n10\n10\n0\n20\n10\n42\n1"
       "\n");
   ASSERT_EQ(slot.lines.size(), 1u);
-  EXPECT_NEAR(area_of_line(slot.lines[0]), 400e-6 + kPi * 25e-6, 2 * kPi * 0.005 * kTolerance);
+  EXPECT_NEAR(area_of_line(slot.lines[0]), 400e-6 + kPi * 25e-6, 2 * kPi * 0.005 * kFlatness);
   const double quarter = std::tan(kPi / 8);
   const Drawing arc =
       dxf_of("0\nLWPOLYLINE\n70\n0\n10\n10\n20\n0\n42\n" + std::to_string(quarter) + "\n10\n0\n20\n10\n");
@@ -234,7 +234,7 @@ TEST(DxfDrawing, lines_and_arcs_that_meet_become_one_closed_line) {
   ASSERT_EQ(drawing.lines.size(), 2u);
   EXPECT_TRUE(drawing.lines[0].closed);
   EXPECT_FALSE(drawing.lines[1].closed);
-  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[0])), 200e-6 + 0.5 * kPi * 25e-6, kPi * 0.005 * kTolerance);
+  EXPECT_NEAR(std::abs(area_of_line(drawing.lines[0])), 200e-6 + 0.5 * kPi * 25e-6, kPi * 0.005 * kFlatness);
 }
 
 TEST(DxfDrawing, units_are_those_of_the_header_else_millimetres) {
@@ -255,7 +255,7 @@ TEST(DxfDrawing, blocks_are_scaled_turned_and_repeated) {
       dxf_of("0\nINSERT\n2\nB\n10\n50\n20\n0\n41\n3\n42\n3\n50\n90\n70\n4\n71\n2\n44\n20\n45\n30\n", block);
   ASSERT_EQ(drawing.lines.size(), 8u);
   for (const DrawnLine& line : drawing.lines)
-    EXPECT_NEAR(std::abs(area_of_line(line)), kPi * 36e-6, 2 * kPi * 0.006 * kTolerance);
+    EXPECT_NEAR(std::abs(area_of_line(line)), kPi * 36e-6, 2 * kPi * 0.006 * kFlatness);
   // The second column lies 20 mm along the turned x axis.
   EXPECT_NEAR(drawing.lines[1].points[0].y - drawing.lines[0].points[0].y, 0.02, 1e-12);
 }
@@ -285,7 +285,7 @@ TEST(DxfDrawing, mirrored_planes_hidden_layers_and_other_entities_are_told_apart
 
 TEST(DxfDrawing, errors_name_the_line) {
   const auto error = [](const std::string& text) {
-    const auto drawing = read_dxf(text, "test.dxf", kTolerance);
+    const auto drawing = read_dxf(text, "test.dxf", kFlatness);
     return drawing ? "" : drawing.error().message;
   };
   EXPECT_EQ(error("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n40\nabc\n0\nENDSEC\n0\nEOF\n"),
@@ -302,7 +302,7 @@ TEST(DxfDrawing, blocks_that_contain_themselves_are_errors) {
       "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nINSERT\n2\nB\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES"
       "\n0\nINSERT\n2\nB\n"
       "0\nENDSEC\n0\nEOF\n",
-      "test.dxf", kTolerance);
+      "test.dxf", kFlatness);
   ASSERT_FALSE(drawing.ok());
   EXPECT_EQ(drawing.error().message, "test.dxf, line 10, column 1: INSERT: blocks are nested too deeply");
 }

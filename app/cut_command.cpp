@@ -419,17 +419,11 @@ class CutRun {
     if (streamed && !options_.journal.empty())
       return bad_input(
           "--journal: a journal cannot name a mesh from standard input; save the mesh in a file");
-    for (std::string* file : all_of(options_)) {
-      if (const Status s = unpack(input_file(*file), *file); !s) return s;
+    if (const Status s = unpack(input_file(options_.path), options_.path); !s) return s;
+    for (std::string& mesh : options_.meshes) {
+      if (const Status s = unpack(input_file(mesh), mesh); !s) return s;
     }
     return Done{};
-  }
-
-  // Returns the meshes and the path.
-  static std::vector<std::string*> all_of(CutOptions& options) {
-    std::vector<std::string*> files{&options.path};
-    for (std::string& mesh : options.meshes) files.push_back(&mesh);
-    return files;
   }
 
   const std::string& stroke_file() const {

@@ -165,7 +165,7 @@ KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
 KERF_API const double* kerf_mesh_vertices(const kerf_mesh* mesh);
 KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 
-/* Returns the temperatures of the faces of a piece (K), null for another mesh; valid like these. O(1). */
+/* Returns the temperatures of the faces of a piece (K); null for another mesh. Valid as long as it. O(1). */
 KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
 
 /* Attributes of a mesh: values at the corners of its faces, as read or interpolated by cuts. Names are as in
@@ -422,7 +422,7 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);
 
-/* Cuts all visible bodies along the plane normal . x = distance by a knife of no width, which removes nothing:
+/* Cuts all visible bodies along the plane normal . x = distance by a knife of no width; nothing is removed,
  * both sides become pieces of their own, and those of solids are closed by walls. A step of the history.
  * normal: finite and not zero, of any length.
  * Errors: KERF_INVALID_ARGUMENT; KERF_FAILED for too many faces of a body; KERF_CANCELLED. O(faces). */

@@ -127,10 +127,10 @@ class SettingsTest(WindowTest):
         self.assertFalse(report["view"]["wire"])
         self.assertIn("Nothing to undo", report["messages"])
         self.assertEqual(self.settings()["bindings"], {"edit.undo": "W", "view.wire": ""})
-        self.set(bindings={"view.wire": "Q", "no.such_action": "Q", "view.normals": 7})
+        self.set(bindings={"view.wire": "F7", "no.such_action": "F7", "view.normals": 7})
         editor = self.open_again(SPHERE)
         editor.point_at(0.05, 0.95)
-        editor.do("q")
+        editor.do("F7")
         self.assertTrue(editor.quit()["view"]["wire"])
 
     def test_a_preset_changes_keys(self):

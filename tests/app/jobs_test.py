@@ -44,7 +44,8 @@ class Jobs(unittest.TestCase):
             return json.load(file)
 
     def areas(self, report):
-        return sorted(piece['area'] for piece in report['pieces'])[:-1]
+        """Areas of the drops, without slivers at sharp corners of the kerf."""
+        return sorted(piece['area'] for piece in report['pieces'] if piece['area'] > 1e-9)[:-1]
 
     def test_a_drawing_cuts_drops_of_its_areas_less_the_kerf(self):
         svg = self.write('a.svg', SVG)
@@ -84,8 +85,10 @@ class Jobs(unittest.TestCase):
         for area in areas[:12]:
             self.assertAlmostEqual(area, math.pi * (.004 - 2 * RADIUS)**2, delta=1e-7)
         # Holes come first, the outline last.
-        outline = [line for line in open(nc, encoding='utf-8') if line.startswith('G0')][-1]
-        self.assertAlmostEqual(abs(float(outline.split()[1][1:])), 60 + 1000 * RADIUS, delta=.001)
+        with open(nc, encoding='utf-8') as file:
+            starts = [[float(word[1:]) for word in line.split()[1:3]] for line in file if line.startswith('G0')]
+        self.assertEqual(14, len(starts))
+        self.assertAlmostEqual(math.hypot(*starts[-1]), 60 + 1000 * RADIUS, delta=.02 * 1000 * RADIUS)
 
     def test_a_program_becomes_a_path_with_power_and_the_report_states_its_duration(self):
         nc = self.write('a.nc', '%\nG21 G90 G17\nM4 S0\nG0 X10 Y10\nG1 X40 S800 F1200\nG1 Y40\nG2 X40 Y60 I0 J10\nG1 X10\n'

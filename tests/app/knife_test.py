@@ -71,7 +71,7 @@ class Knife(unittest.TestCase):
         for piece in vertices:
             self.assertAlmostEqual(min(v[2] for v in piece), 0, delta=1e-12)
             lowest = [v for v in piece if v[2] < 1e-12]
-            self.assertEqual(len(lowest), 4)  # the section of the box
+            self.assertGreaterEqual(len(lowest), 4)  # the section of the box, with points on the diagonals of its sides
             spans.append((min(v[0] for v in piece), max(v[0] for v in piece)))
         (_, left), (right, _) = sorted(spans)
         self.assertLess(left, right)

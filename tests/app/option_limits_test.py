@@ -18,6 +18,10 @@ BEGINNINGS = {"prepare": ["none.obj", "--out", "a.obj", "--subdivide", "loop"], 
               "replay": ["none.kerf", "--frames", "f"], "inspect": ["none.obj"], "play": ["none.json", "--headless"],
               "figures": ["--out", "f", "--list", "none.json"], "cut": ["none.obj", "--out", "o"]}
 
+# What some options of a cut require.
+REQUIRED = {"ground": ["--settle", "1"], "turn": ["--drawing", "none.svg"], "scale": ["--drawing", "none.svg"],
+            "power-at-s1000": ["--gcode", "none.nc"]}
+
 
 def run(*args, folder=None):
     return subprocess.run([KERF, *map(str, args)], cwd=folder, capture_output=True, text=True, timeout=120)
@@ -72,7 +76,7 @@ class OptionLimits(unittest.TestCase):
                 if not kind.startswith(("FLOAT", "INT", "UINT")):
                     continue
                 fitting, outside = numbers(*limits_of(text), kind.startswith(("INT", "UINT")))
-                more = ["--settle", "1"] if name == "ground" else []
+                more = REQUIRED.get(name, [])
                 for number in fitting:
                     done = self.run_here(command, *beginning, f"--{name}={number!r}", *more)
                     self.assertNotIn("--" + name, done.stderr)
@@ -100,7 +104,7 @@ class OptionLimits(unittest.TestCase):
     def test_settings_files_and_journals_accept_what_the_command_line_does(self):
         """And what it refuses is refused by settings files."""
         for name, (kind, text) in options_of("cut").items():
-            if not kind.startswith(("FLOAT", "INT")) or name in ("settle", "ground"):
+            if not kind.startswith(("FLOAT", "INT")) or name in ("settle", *REQUIRED):
                 continue
             fitting, outside = numbers(*limits_of(text), kind.startswith("INT"))
             if name == "steps":

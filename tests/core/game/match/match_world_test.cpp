@@ -108,7 +108,7 @@ TEST(Match, parts_separate_and_vehicles_die_within_a_tenth_of_a_second) {
     Match match({*rules, seed, Difficulty::kNormal});
     BotPlayer bot(match);
     Lateness late;
-    for (Ticks t = 0; t < 12 * kTicksPerSecond && !match.standing().over(); ++t) {
+    for (Ticks t = 0; t < 20 * kTicksPerSecond && !match.standing().over(); ++t) {
       match.tick(bot.next(match));
       late.follow(match);
       parts = std::max(parts, late.of_parts());

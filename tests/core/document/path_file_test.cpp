@@ -66,8 +66,8 @@ TEST_F(PathFile, rejects_invalid_strokes_with_their_location) {
   expect_refused(keys(good + "," + good), "/strokes/0/keys/1/t", "ascend");
   expect_refused(keys(good + R"(,{"t": 1, "origin": [0,1,0], "direction": [0,1,0]})"),
                  "/strokes/0/keys/1/direction", "opposite");
-  expect_refused(R"({"strokes": [{"laser": {"radius": 0}, "keys": []}]})", "/strokes/0/laser/radius",
-                 "greater");
+  expect_refused(R"({"strokes": [{"laser": {"radius": -1}, "keys": []}]})", "/strokes/0/laser/radius",
+                 "from 0");
   expect_refused(R"({"strokes": [{"laser": {"range": [2, 1]}, "keys": []}]})", "/strokes/0/laser/range",
                  "range");
   expect_refused(R"({"strokes": 7})", "/strokes", "array");

@@ -68,7 +68,8 @@ TEST(RewrittenFiles, commands_of_every_kind_round_trip) {
 TEST(RewrittenFiles, a_command_without_a_required_key_is_reported_as_damaged) {
   const std::set<std::pair<std::string, std::string>> optional{
       {"move-beam", "t"},        {"stop-stroke", "ticks"},     {"advance-time", "bodies"},
-      {"advance-time", "joins"}, {"set-environment", "metre"}, {"set-environment", "ground"}};
+      {"advance-time", "joins"}, {"set-environment", "metre"}, {"set-environment", "ground"},
+      {"cut-plane", "bodies"},   {"cut-plane", "most-faces"}};
   for (const char* line : kCommands) {
     const auto json = nlohmann::json::parse(line);
     for (const auto& item : json.items()) {

@@ -148,8 +148,8 @@ std::optional<double> ResolutionChart::draw(double radius, FileUnit unit) const 
     list.AddCircleFilled(places[i], nearest == i ? 5.0f : 3.5f,
                          nearest == i ? colours::accent() : colours::text());
   const bool has_errors = samples_.front().error.has_value();
-  list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(), has_errors ? "Rim error" : "Time");
-  const char* right = "Faces created";
+  list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(), has_errors ? "Rim Error" : "Time");
+  const char* right = "Faces Created";
   list.AddText({at.x + width - ImGui::CalcTextSize(right).x - 0.4f * em, at.y + (kHeightEms - 1.3f) * em},
                colours::secondary(), right);
   if (!nearest) return std::nullopt;

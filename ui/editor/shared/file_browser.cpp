@@ -144,9 +144,9 @@ fs::path with_ending(fs::path file, const FileBrowser& b) {
   return file;
 }
 
-// "Journal with all cuts (.kerf)".
+// "Journal with All Cuts (.kerf)".
 std::string type_name(const std::string& ending) {
-  const char* name = ending == ".kerf" ? "Journal with all cuts " : ending == ".json" ? "Scene or path " : "";
+  const char* name = ending == ".kerf" ? "Journal with All Cuts " : ending == ".json" ? "Scene or Path " : "";
   return std::string(name) + (*name != '\0' ? "(" + ending + ")" : ending);
 }
 

@@ -34,7 +34,7 @@ struct Surface {
 layout(std140) uniform Surfaces { Surface surfaces[256]; };
 
 // What the material and its maps are at this place.
-vec4 coat;  // colour, gloss
+vec4 coat = vec4(0.0);  // colour, gloss
 float metal = 0.0, open_to_sky = 1.0;
 vec3 emitted = vec3(0.0);
 bool is_double_sided = false;

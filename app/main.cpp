@@ -13,6 +13,7 @@
 #include "app/version.h"
 #include "core/base/parallel.h"
 #include "core/document/text/json.h"
+#include "core/tree/walks.h"
 #include "ui/screen/stop_signals.h"
 
 namespace {
@@ -37,6 +38,18 @@ kerf::Result<std::optional<kerf::ThreadLimit>> threads_of_environment() {
   if (fault != std::errc() || end != text.data() + text.size() || threads < 1 || threads > kMost)
     return kerf::bad_input("the environment variable KERF_THREADS must be a whole number from 1 to 1024");
   return std::optional(kerf::ThreadLimit(threads));
+}
+
+// Fails if the environment variable KERF_SIMD names no instruction set of this processor.
+kerf::Status check_simd_of_environment() {
+  const char* value = std::getenv("KERF_SIMD");
+  if (value == nullptr) return kerf::Done{};
+  const auto simd = kerf::simd_named(value);
+  if (!simd) return kerf::bad_input("the environment variable KERF_SIMD must be plain, sse4 or avx2");
+  if (!kerf::is_supported(*simd))
+    return kerf::bad_input("the environment variable KERF_SIMD is " + std::string(value) +
+                           ", which this processor does not support; set it to plain, or not at all");
+  return kerf::Done{};
 }
 
 // Returns the given command for a hint at its help: "kerf cut", or "kerf" without one.
@@ -108,6 +121,7 @@ int parse_and_run(int argc, char** argv) {
   }
   const auto threads = threads_of_environment();
   if (!threads) return report_error(threads.error());
+  if (const kerf::Status s = check_simd_of_environment(); !s) return report_error(s.error());
   const kerf::Status done = invocation();
   if (!done) return report_error(done.error());
   return kerf::StopSignals::last() != 0 ? kerf::kSignalStatus + kerf::StopSignals::last() : 0;

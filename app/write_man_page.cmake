@@ -108,6 +108,10 @@ With 1 and 2, one line on standard error states what failed, where, and what to 
 .B KERF_THREADS
 Maximum number of threads, from 1 to 1024. Default: one per processor.
 .TP
+.B KERF_SIMD
+Instruction set of tree queries: \fBplain\fR, \fBsse4\fR or \fBavx2\fR. Results do not depend on it.
+Default: the best one of the processor.
+.TP
 .B KERF_ASSERTS=fatal
 Ends the program at the first violated precondition and names its place.
 .TP

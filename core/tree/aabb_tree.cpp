@@ -112,11 +112,7 @@ void AabbTree::update(const Mesh& mesh, std::vector<FaceId> faces) {
 // Boxes -----------------------------------------------------------------------------------------------------
 
 AabbTree::Box AabbTree::box_of(const FloatBox& box, int depth, bool leaf, bool hit) const {
-  const auto point = [&](__m128 p) {
-    alignas(16) float xyz[4];
-    _mm_store_ps(xyz, p);
-    return store_.frame.to_mesh(Vec3(xyz[0], xyz[1], xyz[2]));
-  };
+  const auto point = [&](Float4 p) { return store_.frame.to_mesh(Vec3(p[0], p[1], p[2])); };
   return {point(box.low), point(box.high), depth, leaf, hit};
 }
 
@@ -161,11 +157,7 @@ struct ExtremeSide {
   bool least;
 };
 
-float coordinate(__m128 v, int axis) {
-  alignas(16) float xyz[4];
-  _mm_store_ps(xyz, v);
-  return xyz[axis];
-}
+float coordinate(Float4 v, int axis) { return v[axis]; }
 
 // A depth-first search for the largest value of a side, which skips a box if no corner in it can exceed the
 // best one found. Rounding to floats is monotonic and boxes are rounded outward, so that a box whose float
@@ -274,11 +266,10 @@ void AabbTree::loosen_bounds(FaceId f) {
   const uint32_t place = store_.place(f);
   const FaceBlock& block = store_.blocks[place / kBlockWidth];
   const uint32_t l = place % kBlockWidth;
-  const __m128 low = store_.frame.to_floats(bounds_.min), high = store_.frame.to_floats(bounds_.max);
+  const Float4 low = store_.frame.to_floats(bounds_.min), high = store_.frame.to_floats(bounds_.max);
   for (int i = 0; i < 3; ++i) {
-    const __m128 corner = _mm_setr_ps(block.corner[i][0][l], block.corner[i][1][l], block.corner[i][2][l], 0);
-    loose_ |= static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(corner, low)) & 7) |
-              static_cast<unsigned>(_mm_movemask_ps(_mm_cmpge_ps(corner, high)) & 7) << 3;
+    const Float4 corner{block.corner[i][0][l], block.corner[i][1][l], block.corner[i][2][l], 0};
+    loose_ |= (mask_bits(corner <= low) & 7) | (mask_bits(corner >= high) & 7) << 3;
   }
 }
 

@@ -53,7 +53,7 @@ class AabbTree {
   AabbTree() = default;
 
   // Builds the tree top-down with the surface area heuristic; see build_tree. O(n log n).
-  explicit AabbTree(const Mesh& mesh, Simd simd = best_simd());
+  explicit AabbTree(const Mesh& mesh, Simd simd = selected_simd());
 
   // Builds the same tree; fails with cancelled() when stopped. `progress` may be null.
   static Result<AabbTree> build(const Mesh& mesh, const Progress* progress);
@@ -152,7 +152,7 @@ class AabbTree {
   Bounds bounds_;
   unsigned loose_ =
       0;  // sides of the bounds that a removed or moved face may have reached, as in Bounds::side
-  const Walks* walks_ = &walks_for(best_simd());
+  const Walks* walks_ = &walks_for(selected_simd());
 };
 
 }  // namespace kerf

@@ -25,21 +25,21 @@ class Binning {
   Binning(const PrimitiveRange& range)
       : count(static_cast<int>(std::min<size_t>(kMaxBins, 4 + range.items.size() / 8))),
         low_(range.centres.low) {
-    const __m128 size = _mm_sub_ps(range.centres.high, low_);
-    const __m128 scale = _mm_div_ps(_mm_set1_ps(kBinScale * static_cast<float>(count)), size);
-    spread_ = _mm_cmpgt_ps(size, _mm_set1_ps(kMinSpread));
-    scale_ = _mm_and_ps(scale, spread_);
+    const Float4 size = range.centres.high - low_;
+    spread_ = size > all_lanes(kMinSpread);
+    scale_ = spread_ ? kBinScale * static_cast<float>(count) / size : all_lanes(0.0f);
   }
 
-  __m128i bins_of(const Primitive& p) const {
-    return _mm_cvttps_epi32(_mm_mul_ps(_mm_sub_ps(p.centre2(), low_), scale_));
+  Int4 bins_of(const Primitive& p) const {
+    return __builtin_convertvector((p.centre2() - low_) * scale_, Int4);
   }
-  bool spreads(int axis) const { return (_mm_movemask_ps(spread_) >> axis & 1) != 0; }
+  bool spreads(int axis) const { return spread_[axis] != 0; }
 
   const int count;
 
  private:
-  __m128 low_, scale_, spread_;
+  Float4 low_, scale_;
+  Int4 spread_;
 };
 
 struct Bin {
@@ -59,10 +59,8 @@ struct Bins {
 
   void put(std::span<const Primitive> items, const Binning& binning) {
     for (const Primitive& p : items) {
-      const __m128i at = binning.bins_of(p);
-      put(bin[0][_mm_extract_epi32(at, 0)], p);
-      put(bin[1][_mm_extract_epi32(at, 1)], p);
-      put(bin[2][_mm_extract_epi32(at, 2)], p);
+      const Int4 at = binning.bins_of(p);
+      for (int axis = 0; axis < 3; ++axis) put(bin[axis][at[axis]], p);
     }
   }
   void add(const Bins& other, int count) {
@@ -467,10 +465,9 @@ RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
   const Binning binning(range);
   const Plane plane = BinSweep(range, binning, block).best();
   if (plane.axis < 0) return split_in_half(range);
-  const __m128i bin = _mm_set1_epi32(plane.bin);
+  const Int4 bin = all_lanes(plane.bin);
   return partition(range, [&](const Primitive& p) {
-    const __m128i below = _mm_cmplt_epi32(binning.bins_of(p), bin);
-    return (_mm_movemask_ps(_mm_castsi128_ps(below)) >> plane.axis & 1) != 0;
+    return (mask_bits(binning.bins_of(p) < bin) >> plane.axis & 1) != 0;
   });
 }
 

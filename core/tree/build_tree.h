@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -38,19 +39,18 @@ class SortProgress {
 // The bounding box of a face during construction. The fourth lane of `low` holds the face's number.
 struct Primitive {
   static constexpr uint32_t kNumberTag = 0x40000000u;
-  __m128 low, high;
+  Float4 low, high;
 
   // The number is encoded as a float that is neither subnormal nor infinite, to keep arithmetic on the lane
   // fast. Precondition: number < 2^29.
   static Primitive make(const FloatBox& box, uint32_t number) {
     assert(number < 1u << 29);
-    const __m128 tagged = _mm_castsi128_ps(_mm_set1_epi32(static_cast<int>(number | kNumberTag)));
-    return {_mm_blend_ps(box.low, tagged, 8), box.high};
+    Primitive made{box.low, box.high};
+    made.low[3] = std::bit_cast<float>(number | kNumberTag);
+    return made;
   }
-  uint32_t number() const {
-    return static_cast<uint32_t>(_mm_extract_epi32(_mm_castps_si128(low), 3)) & ~kNumberTag;
-  }
-  __m128 centre2() const { return _mm_add_ps(low, high); }
+  uint32_t number() const { return static_cast<uint32_t>(std::bit_cast<Int4>(low)[3]) & ~kNumberTag; }
+  Float4 centre2() const { return low + high; }
 };
 
 // Consecutive primitives with their bounding box and that of their centres.

@@ -89,26 +89,24 @@ void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane) {
 }
 
 uint32_t free_slot(const WideNode& node) {
-  const __m128i none = _mm_set1_epi32(-1);
-  const auto* child = reinterpret_cast<const __m128i*>(node.child);
-  const __m128i a = _mm_cmpeq_epi32(_mm_load_si128(child), none),
-                b = _mm_cmpeq_epi32(_mm_load_si128(child + 1), none);
-  const int empty = _mm_movemask_ps(_mm_castsi128_ps(a)) | _mm_movemask_ps(_mm_castsi128_ps(b)) << 4;
-  return static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(empty | 1 << kNodeWidth)));
+  const Int4 none = all_lanes(INT32_C(-1));
+  const unsigned empty = mask_bits(load_lanes(&node.child[0].bits) == none) |
+                         mask_bits(load_lanes(&node.child[4].bits) == none) << 4;
+  return static_cast<uint32_t>(std::countr_zero(empty | 1u << kNodeWidth));
 }
 
 // Splitting a block -----------------------------------------------------------------------------------------
 
 std::array<FloatBox, kBlockWidth> lane_boxes(const FaceBlock& full) {
-  __m128 low[4] = {}, high[4] = {};  // by axis
+  Float4 low[4] = {}, high[4] = {};  // by axis
   for (int k = 0; k < 3; ++k) {
-    const __m128 p = _mm_load_ps(full.corner[0][k]), q = _mm_load_ps(full.corner[1][k]),
-                 r = _mm_load_ps(full.corner[2][k]);
-    low[k] = _mm_min_ps(_mm_min_ps(p, q), r);
-    high[k] = _mm_max_ps(_mm_max_ps(p, q), r);
+    const Float4 p = load_lanes(full.corner[0][k]), q = load_lanes(full.corner[1][k]),
+                 r = load_lanes(full.corner[2][k]);
+    low[k] = min_lanes(min_lanes(p, q), r);
+    high[k] = max_lanes(max_lanes(p, q), r);
   }
-  _MM_TRANSPOSE4_PS(low[0], low[1], low[2], low[3]);
-  _MM_TRANSPOSE4_PS(high[0], high[1], high[2], high[3]);
+  transpose_lanes(low);
+  transpose_lanes(high);
   return {{{low[0], high[0]}, {low[1], high[1]}, {low[2], high[2]}, {low[3], high[3]}}};
 }
 
@@ -119,13 +117,12 @@ FloatBox around(FloatBox a, const FloatBox& b) {
 
 float area_of_both(const FloatBox& a, const FloatBox& b) {
   const auto sides = [](const FloatBox& box) {
-    const __m128 open = _mm_sub_ps(box.high, box.low);
-    const __m128 size = _mm_insert_ps(open, open, 8);  // no product of fourth lanes, which would underflow
-    return _mm_mul_ps(size, _mm_shuffle_ps(size, size, _MM_SHUFFLE(3, 0, 2, 1)));
+    const Float4 size = box.high - box.low;
+    // No product of fourth lanes, which would underflow.
+    return size * __builtin_shufflevector(size, Float4{}, 1, 2, 0, 4);
   };
-  const __m128 sum = _mm_add_ps(sides(a), sides(b));
-  const __m128 y = _mm_shuffle_ps(sum, sum, _MM_SHUFFLE(1, 1, 1, 1)), z = _mm_movehl_ps(sum, sum);
-  return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(sum, y), z));
+  const Float4 sum = sides(a) + sides(b);
+  return sum[0] + sum[1] + sum[2];
 }
 
 // Finds the cheapest partition of a full block's faces and one more into two blocks.

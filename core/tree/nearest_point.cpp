@@ -12,14 +12,8 @@ namespace {
 
 // Returns a lower bound of the squared distance of a point from what a box holds, in the frame of the tree.
 double box_distance2(const FloatBox& box, const Vec3& p) {
-  alignas(16) std::array<float, 4> low, high;
-  _mm_store_ps(low.data(), box.low);
-  _mm_store_ps(high.data(), box.high);
   Vec3 apart(0);
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<size_t>(i);
-    apart[i] = std::max({low[k] - p[i], p[i] - high[k], 0.0});
-  }
+  for (int k = 0; k < 3; ++k) apart[k] = std::max({box.low[k] - p[k], p[k] - box.high[k], 0.0});
   return glm::dot(apart, apart);
 }
 

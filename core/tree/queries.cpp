@@ -1,6 +1,5 @@
 #include "core/tree/queries.h"
 
-#include <smmintrin.h>
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -40,11 +39,7 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
   return a;
 }
 
-Vec3 corner(const TreeStore& tree, __m128 p) {
-  alignas(16) float xyz[4];
-  _mm_store_ps(xyz, p);
-  return tree.frame.to_mesh(Vec3(xyz[0], xyz[1], xyz[2]));
-}
+Vec3 corner(const TreeStore& tree, Float4 p) { return tree.frame.to_mesh(Vec3(p[0], p[1], p[2])); }
 
 using Side = TouchedWalk::Side;
 using Outcome = TouchedWalk::Outcome;
@@ -170,40 +165,35 @@ double sum_in_order(double a, double b, double c) {
 
 static_assert(RayQuery::kPositionShift == Positions::kShift && sizeof(Vec3) == 24);
 
-void store(uint32_t (&out)[4], __m128 bits) {
-  _mm_store_si128(reinterpret_cast<__m128i*>(out), _mm_castps_si128(bits));
-}
-__m128 to_floats(const Vec3& v) {
-  return _mm_movelh_ps(_mm_cvtpd_ps(_mm_setr_pd(v.x, v.y)), _mm_cvtpd_ps(_mm_set_sd(v.z)));
-}
-__m128 size_of(__m128 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
+Float4 to_floats(const Vec3& v) { return narrow_lanes(v.x, v.y, v.z); }
+
+// Returns the mask of lanes with a sign, that of -0 included.
+Int4 signs(Float4 v) { return std::bit_cast<Int4>(v) < all_lanes(INT32_C(0)); }
 
 // Prepares the slab test for rays of direction d that start between `low` and `high` at t = 0, by axis.
-void set_slabs(RayQuery& q, __m128 d, __m128 low, __m128 high) {
-  const __m128 sign = _mm_set1_ps(-0.0f), down = _mm_and_ps(d, sign);
-  const __m128 size = _mm_max_ps(size_of(d), _mm_set1_ps(kMinComponent));
-  const __m128 slope = _mm_or_ps(_mm_div_ps(_mm_set1_ps(1), size), down);
-  _mm_store_ps(q.near_origin, _mm_blendv_ps(high, low, down));
-  _mm_store_ps(q.far_origin, _mm_blendv_ps(low, high, down));
-  _mm_store_ps(q.near_slope, _mm_mul_ps(slope, _mm_set1_ps(1 - kSlopeRoundings)));
-  _mm_store_ps(q.far_slope, _mm_mul_ps(slope, _mm_set1_ps(1 + kSlopeRoundings)));
-  const __m128 lows = _mm_castsi128_ps(_mm_setr_epi32(0, 1, 2, 3)),
-               highs = _mm_castsi128_ps(_mm_setr_epi32(3, 4, 5, 6));
-  store(q.near_plane, _mm_blendv_ps(lows, highs, down));
-  store(q.far_plane, _mm_blendv_ps(highs, lows, down));
+void set_slabs(RayQuery& q, Float4 d, Float4 low, Float4 high) {
+  const Int4 down = signs(d);
+  const Float4 steep = 1 / max_lanes(abs_lanes(d), all_lanes(kMinComponent)), slope = down ? -steep : steep;
+  store_lanes(q.near_origin, down ? low : high);
+  store_lanes(q.far_origin, down ? high : low);
+  store_lanes(q.near_slope, slope * (1 - kSlopeRoundings));
+  store_lanes(q.far_slope, slope * (1 + kSlopeRoundings));
+  const Int4 lows{0, 1, 2, 3}, highs{3, 4, 5, 6};
+  store_lanes(q.near_plane, down ? highs : lows);
+  store_lanes(q.far_plane, down ? lows : highs);
 }
 
 bool may_meet(const RayQuery& q, const FloatBox& box) {
-  const __m128 down = _mm_load_ps(q.direction);  // blends by sign
-  const __m128 near = _mm_blendv_ps(box.low, box.high, down), far = _mm_blendv_ps(box.high, box.low, down);
-  const __m128 entry = _mm_mul_ps(_mm_sub_ps(near, _mm_load_ps(q.near_origin)), _mm_load_ps(q.near_slope));
-  const __m128 exit = _mm_mul_ps(_mm_sub_ps(far, _mm_load_ps(q.far_origin)), _mm_load_ps(q.far_slope));
+  const Int4 down = signs(load_lanes(q.direction));
+  const Float4 near = down ? box.high : box.low, far = down ? box.low : box.high;
+  Float4 entry = (near - load_lanes(q.near_origin)) * load_lanes(q.near_slope);
+  Float4 exit = (far - load_lanes(q.far_origin)) * load_lanes(q.far_slope);
   // Compares every entry with every exit, including the limits of the range.
-  const __m128 from = _mm_insert_ps(entry, _mm_set_ss(q.t_low), 3 << 4),
-               to = _mm_insert_ps(exit, _mm_set_ss(q.t_high), 3 << 4);
-  const __m128 to2 = _mm_min_ps(to, _mm_shuffle_ps(to, to, _MM_SHUFFLE(2, 3, 0, 1)));
-  const __m128 to4 = _mm_min_ps(to2, _mm_shuffle_ps(to2, to2, _MM_SHUFFLE(1, 0, 3, 2)));
-  return _mm_movemask_ps(_mm_cmple_ps(from, to4)) == 15;
+  entry[3] = q.t_low;
+  exit[3] = q.t_high;
+  exit = min_lanes(exit, __builtin_shufflevector(exit, exit, 1, 0, 3, 2));
+  exit = min_lanes(exit, __builtin_shufflevector(exit, exit, 2, 3, 0, 1));
+  return mask_bits(entry <= exit) == 15;
 }
 
 // The point of a ray nearest to the origin of the tree's frame.
@@ -214,9 +204,9 @@ struct Passing {
     point = to_floats(start + at * ray.direction);
     far = std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
   }
-  double distance2() const { return _mm_cvtss_f32(_mm_dp_ps(point, point, 0x71)); }
+  double distance2() const { return point[0] * point[0] + point[1] * point[1] + point[2] * point[2]; }
 
-  __m128 point;
+  Float4 point;
   double at;   // parameter along the ray
   double far;  // magnitude of the coordinates that it was computed from
 };
@@ -225,18 +215,18 @@ struct Passing {
 // if they miss the tree's bounds. Sets all of `q` but its positions.
 bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval range, RayQuery& q) {
   KERF_ASSERT(!rays.empty() && rays.size() <= kBlockWidth);
-  const __m128 direction = to_floats(rays[0].direction);
-  _mm_store_ps(q.direction, direction);
+  const Float4 direction = to_floats(rays[0].direction);
+  store_lanes(q.direction, direction);
   const Passing own(tree.frame, rays[0]);
-  _mm_store_ps(q.passing[0], own.point);
-  __m128 low = own.point, high = own.point;
+  store_lanes(q.passing[0], own.point);
+  Float4 low = own.point, high = own.point;
   double far = own.far, earliest = own.at, latest = own.at, nearest = own.distance2();
   for (size_t i = 1; i < rays.size(); ++i) {
     KERF_ASSERT(rays[i].direction == rays[0].direction);
     const Passing other(tree.frame, rays[i]);
-    _mm_store_ps(q.passing[i], other.point);
-    low = _mm_min_ps(low, other.point);
-    high = _mm_max_ps(high, other.point);
+    store_lanes(q.passing[i], other.point);
+    low = min_lanes(low, other.point);
+    high = max_lanes(high, other.point);
     far = std::max(far, other.far);
     earliest = std::min(earliest, other.at);
     latest = std::max(latest, other.at);
@@ -249,10 +239,9 @@ bool prepare_rays(const TreeStore& tree, std::span<const Pose> rays, Interval ra
   if (!(error < kMaxError) || nearest > (reach + error) * (reach + error)) return false;
   // t = 0 is a plane across the rays in front of all boxes.
   const auto back = static_cast<float>(2 * reach);
-  const __m128 ahead = _mm_mul_ps(_mm_set1_ps(back), direction);
-  const __m128 slack = _mm_set1_ps(static_cast<float>(error));
-  set_slabs(q, direction, _mm_sub_ps(_mm_sub_ps(low, ahead), slack),
-            _mm_add_ps(_mm_sub_ps(high, ahead), slack));
+  const Float4 ahead = back * direction;
+  const auto slack = static_cast<float>(error);
+  set_slabs(q, direction, low - ahead - slack, high - ahead + slack);
   q.t_low =
       static_cast<float>(std::max(back - latest + range.low * scale - 2 * error, kMinRayParameter * reach));
   q.t_high = static_cast<float>(std::min(back - earliest + range.high * scale + 2 * error, 4 * reach));

@@ -49,21 +49,18 @@ void make_empty(WideNode& node) {
   node.slot = 0;
   const FloatBox none;
   for (int k = 0; k < 6; ++k) {
-    const __m128 plane = k < 3 ? none.low : none.high;
-    _mm_store_ps(node.plane[k], plane);
-    _mm_store_ps(node.plane[k] + 4, plane);
+    const Float4 plane = k < 3 ? none.low : none.high;
+    store_lanes(node.plane[k], plane);
+    store_lanes(node.plane[k] + 4, plane);
   }
   for (Child& child : node.child) child = Child{};
 }
 
 void set_slot_box(WideNode& node, uint32_t slot, const FloatBox& box) {
   assert(slot < kNodeWidth);
-  alignas(16) float low[4], high[4];
-  _mm_store_ps(low, box.low);
-  _mm_store_ps(high, box.high);
   for (int k = 0; k < 3; ++k) {
-    node.plane[k][slot] = low[k];
-    node.plane[k + 3][slot] = high[k];
+    node.plane[k][slot] = box.low[k];
+    node.plane[k + 3][slot] = box.high[k];
   }
 }
 
@@ -119,9 +116,7 @@ void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
   assert(lane < kBlockWidth);
   FaceBlock& b = blocks.edit(block);
   for (int i = 0; i < 3; ++i) {
-    alignas(16) float xyz[4];
-    _mm_store_ps(xyz, face.corner[i]);
-    for (int k = 0; k < 3; ++k) b.corner[i][k][lane] = xyz[k];
+    for (int k = 0; k < 3; ++k) b.corner[i][k][lane] = face.corner[i][k];
     b.vertex[i][lane] = face.vertex[i].index;
   }
   b.face[lane] = face.face.index;
@@ -132,10 +127,8 @@ bool TreeStore::holds(const TreeFace& face, uint32_t block, uint32_t lane) const
   const FaceBlock& b = blocks[block];
   if (b.face[lane] != face.face.index) return false;
   const auto same_corner = [&](int own, int given) {
-    alignas(16) float xyz[4];
-    _mm_store_ps(xyz, face.corner[given]);
     bool same = b.vertex[own][lane] == face.vertex[static_cast<size_t>(given)].index;
-    for (int k = 0; k < 3; ++k) same = same && b.corner[own][k][lane] == xyz[k];
+    for (int k = 0; k < 3; ++k) same = same && b.corner[own][k][lane] == face.corner[given][k];
     return same;
   };
   for (int turn = 0; turn < 3; ++turn) {
@@ -146,31 +139,30 @@ bool TreeStore::holds(const TreeFace& face, uint32_t block, uint32_t lane) const
 
 FloatBox TreeStore::face_box(const FaceBlock& b, uint32_t lane) const {
   const auto corner = [&](int i) {
-    return _mm_setr_ps(b.corner[i][0][lane], b.corner[i][1][lane], b.corner[i][2][lane], 0);
+    return Float4{b.corner[i][0][lane], b.corner[i][1][lane], b.corner[i][2][lane], 0};
   };
-  const __m128 p = corner(0), q = corner(1), r = corner(2);
-  return {round_down(_mm_min_ps(_mm_min_ps(p, q), r)), round_up(_mm_max_ps(_mm_max_ps(p, q), r))};
+  const Float4 p = corner(0), q = corner(1), r = corner(2);
+  return {round_down(min_lanes(min_lanes(p, q), r)), round_up(max_lanes(max_lanes(p, q), r))};
 }
 
 FloatBox TreeStore::block_box(const FaceBlock& b) const {
   const FloatBox none;
-  const __m128 empty = _mm_castsi128_ps(
-      _mm_cmpgt_epi32(_mm_setr_epi32(1, 2, 3, 4), _mm_set1_epi32(static_cast<int>(b.count))));
-  __m128 low[3], high[3];
+  const Int4 empty = Int4{1, 2, 3, 4} > all_lanes(int32_t{b.count});
+  Float4 low[3], high[3];
   for (int k = 0; k < 3; ++k) {
-    const __m128 p = _mm_load_ps(b.corner[0][k]), q = _mm_load_ps(b.corner[1][k]),
-                 r = _mm_load_ps(b.corner[2][k]);
-    low[k] = _mm_blendv_ps(_mm_min_ps(_mm_min_ps(p, q), r), none.low, empty);
-    high[k] = _mm_blendv_ps(_mm_max_ps(_mm_max_ps(p, q), r), none.high, empty);
+    const Float4 p = load_lanes(b.corner[0][k]), q = load_lanes(b.corner[1][k]),
+                 r = load_lanes(b.corner[2][k]);
+    low[k] = empty ? none.low : min_lanes(min_lanes(p, q), r);
+    high[k] = empty ? none.high : max_lanes(max_lanes(p, q), r);
   }
   return {round_down(min_of_rows(low[0], low[1], low[2])), round_up(max_of_rows(high[0], high[1], high[2]))};
 }
 
 FloatBox TreeStore::node_box(const WideNode& node) const {
-  __m128 p[6];
+  Float4 p[6];
   for (int k = 0; k < 6; ++k) {
-    const __m128 a = _mm_load_ps(node.plane[k]), b = _mm_load_ps(node.plane[k] + 4);
-    p[k] = k < 3 ? _mm_min_ps(a, b) : _mm_max_ps(a, b);
+    const Float4 a = load_lanes(node.plane[k]), b = load_lanes(node.plane[k] + 4);
+    p[k] = k < 3 ? min_lanes(a, b) : max_lanes(a, b);
   }
   return {min_of_rows(p[0], p[1], p[2]), max_of_rows(p[3], p[4], p[5])};
 }
@@ -178,8 +170,8 @@ FloatBox TreeStore::node_box(const WideNode& node) const {
 FloatBox TreeStore::slot_box(uint32_t node, uint32_t slot) const {
   assert(slot < kNodeWidth);
   const auto& plane = nodes[node].plane;
-  return {_mm_setr_ps(plane[0][slot], plane[1][slot], plane[2][slot], 0),
-          _mm_setr_ps(plane[3][slot], plane[4][slot], plane[5][slot], 0)};
+  return {Float4{plane[0][slot], plane[1][slot], plane[2][slot], 0},
+          Float4{plane[3][slot], plane[4][slot], plane[5][slot], 0}};
 }
 
 void TreeStore::set_slot_box(uint32_t node, uint32_t slot, const FloatBox& box) {
@@ -202,9 +194,7 @@ void TreeStore::hang(uint32_t node, uint32_t slot, Child child, const FloatBox& 
 
 void TreeStore::set_root_box(const FloatBox& box) {
   TreeCounts::root_box = box;
-  alignas(16) float far[4];
-  const __m128 sign = _mm_set1_ps(-0.0f);
-  _mm_store_ps(far, _mm_max_ps(_mm_andnot_ps(sign, box.low), _mm_andnot_ps(sign, box.high)));
+  const Float4 far = max_lanes(abs_lanes(box.low), abs_lanes(box.high));
   TreeCounts::reach = glm::length(Vec3(far[0], far[1], far[2]));
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <smmintrin.h>
 #include <limits>
 
 #include "core/base/geometry.h"
@@ -8,56 +7,51 @@
 #include "core/base/records.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/face_batches.h"
+#include "core/tree/lanes.h"
 #include "core/tree/walks.h"
 
 namespace kerf {
 
 // An axis-aligned box in the frame of a tree, empty by default. The fourth lanes are unused.
 struct FloatBox {
-  __m128 low = _mm_set1_ps(std::numeric_limits<float>::infinity());
-  __m128 high = _mm_set1_ps(-std::numeric_limits<float>::infinity());
+  Float4 low = all_lanes(std::numeric_limits<float>::infinity());
+  Float4 high = all_lanes(-std::numeric_limits<float>::infinity());
 
   // Enlarges the box to hold another one.
-  void add(__m128 l, __m128 h) {
-    low = _mm_min_ps(low, l);
-    high = _mm_max_ps(high, h);
+  void add(Float4 l, Float4 h) {
+    low = min_lanes(low, l);
+    high = max_lanes(high, h);
   }
   void add(const FloatBox& other) { add(other.low, other.high); }
   // Returns true if the other box lies within this one.
   bool holds(const FloatBox& other) const {
-    const __m128 within = _mm_and_ps(_mm_cmple_ps(low, other.low), _mm_cmpge_ps(high, other.high));
-    return (_mm_movemask_ps(within) & 7) == 7;
+    return (mask_bits((low <= other.low) & (high >= other.high)) & 7) == 7;
   }
   // Half of the surface area.
   float area() const {
-    const __m128 size = _mm_sub_ps(high, low);
-    const __m128 turned = _mm_shuffle_ps(size, size, _MM_SHUFFLE(3, 0, 2, 1));
-    return _mm_cvtss_f32(_mm_dp_ps(size, turned, 0x71));
+    const Float4 size = high - low;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
   friend bool operator==(const FloatBox& a, const FloatBox& b) {
-    const __m128 equal = _mm_and_ps(_mm_cmpeq_ps(a.low, b.low), _mm_cmpeq_ps(a.high, b.high));
-    return (_mm_movemask_ps(equal) & 7) == 7;
+    return (mask_bits((a.low == b.low) & (a.high == b.high)) & 7) == 7;
   }
 };
 
 // Returns bounds in float for the doubles that these floats were rounded from; see kFloatSlack.
-inline __m128 float_slack(__m128 x) {
-  const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), x);
-  return _mm_add_ps(_mm_mul_ps(size, _mm_set1_ps(kFloatSlack)), _mm_set1_ps(kFloatLeast));
-}
-inline __m128 round_down(__m128 x) { return _mm_sub_ps(x, float_slack(x)); }
-inline __m128 round_up(__m128 x) { return _mm_add_ps(x, float_slack(x)); }
+inline Float4 float_slack(Float4 x) { return abs_lanes(x) * kFloatSlack + kFloatLeast; }
+inline Float4 round_down(Float4 x) { return x - float_slack(x); }
+inline Float4 round_up(Float4 x) { return x + float_slack(x); }
 
 // Return the minimum and the maximum of each of three rows of four floats, in lanes 0 to 2.
-inline __m128 min_of_rows(__m128 x, __m128 y, __m128 z) {
-  __m128 w = z;
-  _MM_TRANSPOSE4_PS(x, y, z, w);
-  return _mm_min_ps(_mm_min_ps(x, y), _mm_min_ps(z, w));
+inline Float4 min_of_rows(Float4 x, Float4 y, Float4 z) {
+  Float4 m[]{x, y, z, z};
+  transpose_lanes(m);
+  return min_lanes(min_lanes(m[0], m[1]), min_lanes(m[2], m[3]));
 }
-inline __m128 max_of_rows(__m128 x, __m128 y, __m128 z) {
-  __m128 w = z;
-  _MM_TRANSPOSE4_PS(x, y, z, w);
-  return _mm_max_ps(_mm_max_ps(x, y), _mm_max_ps(z, w));
+inline Float4 max_of_rows(Float4 x, Float4 y, Float4 z) {
+  Float4 m[]{x, y, z, z};
+  transpose_lanes(m);
+  return max_lanes(max_lanes(m[0], m[1]), max_lanes(m[2], m[3]));
 }
 
 // The frame of a tree: its boxes have the coordinates (x - origin) * scale, so that any mesh lies within
@@ -71,12 +65,9 @@ struct TreeFrame {
 
   Vec3 to_tree(const Vec3& p) const { return (p - origin) * scale; }
   // Returns the point in the frame of the tree, rounded to the nearest floats; the fourth lane is zero.
-  __m128 to_floats(const Vec3& point) const {
-    const double* p = &point.x;
-    const __m128d factor = _mm_set1_pd(scale);
-    const __m128d xy = _mm_mul_pd(_mm_sub_pd(_mm_loadu_pd(p), _mm_loadu_pd(&origin.x)), factor);
-    const __m128d z = _mm_mul_sd(_mm_sub_sd(_mm_load_sd(p + 2), _mm_load_sd(&origin.z)), factor);
-    return _mm_movelh_ps(_mm_cvtpd_ps(xy), _mm_cvtpd_ps(_mm_move_sd(_mm_setzero_pd(), z)));
+  Float4 to_floats(const Vec3& point) const {
+    const Vec3 p = to_tree(point);
+    return narrow_lanes(p.x, p.y, p.z);
   }
   Vec3 to_mesh(const Vec3& p) const { return origin + p / scale; }
 };
@@ -96,11 +87,11 @@ struct TreeFace {
   }
   // The bounding box, rounded outward.
   FloatBox box() const {
-    return {round_down(_mm_min_ps(_mm_min_ps(corner[0], corner[1]), corner[2])),
-            round_up(_mm_max_ps(_mm_max_ps(corner[0], corner[1]), corner[2]))};
+    return {round_down(min_lanes(min_lanes(corner[0], corner[1]), corner[2])),
+            round_up(max_lanes(max_lanes(corner[0], corner[1]), corner[2]))};
   }
 
-  __m128 corner[3];
+  Float4 corner[3];
   std::array<VertexId, 3> vertex;
   FaceId face;
 };

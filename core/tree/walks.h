@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "core/base/ids.h"
 
@@ -57,10 +59,21 @@ template <typename T>
 }
 
 // The instruction set that traversals of a tree use. Results do not depend on it.
-enum class Simd : uint8_t { kSse4, kAvx2 };
+enum class Simd : uint8_t {
+  kPlain,  // that of the compiler, for any processor
+  kSse4,
+  kAvx2,
+};
 
-// Returns the best instruction set that the processor supports and GLIBC_TUNABLES does not disable.
+// Returns true if this build contains the traversals and the processor can execute them.
+bool is_supported(Simd simd);
+// Returns the best supported instruction set that GLIBC_TUNABLES does not disable.
 Simd best_simd();
+// Returns the instruction set named "plain", "sse4" or "avx2"; nullopt for any other name.
+std::optional<Simd> simd_named(std::string_view name);
+// Returns the instruction set that the environment variable KERF_SIMD names, if it is supported, else the
+// best one. Reads the environment once.
+Simd selected_simd();
 
 // Tree traversals cull in single precision and list the faces that may be results. Each traversal is a
 // template over vector types (see walk_code.h), compiled once per instruction set. Sources compiled for a
@@ -147,8 +160,10 @@ struct Walks {
   uint64_t (*slab)(const TreeView&, const SlabQuery&, WalkLists&);
 };
 
+const Walks& walks_plain();
 const Walks& walks_sse4();
 const Walks& walks_avx2();
-inline const Walks& walks_for(Simd simd) { return simd == Simd::kAvx2 ? walks_avx2() : walks_sse4(); }
+// Precondition: is_supported(simd).
+const Walks& walks_for(Simd simd);
 
 }  // namespace kerf

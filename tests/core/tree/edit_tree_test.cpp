@@ -40,11 +40,20 @@ std::vector<RayHit> brute_crossings(const Mesh& mesh, const Pose& ray, Interval 
   return hits;
 }
 
-// A mesh with a tree for each kind of instructions, edited alike.
+// The instruction sets of this processor, the best one last.
+std::vector<Simd> supported() {
+  std::vector<Simd> all;
+  for (const Simd simd : {Simd::kPlain, Simd::kSse4, Simd::kAvx2}) {
+    if (is_supported(simd)) all.push_back(simd);
+  }
+  return all;
+}
+
+// A mesh with a tree for each instruction set, edited alike.
 struct Edited {
-  explicit Edited(const Soup& soup)
-      : mesh(build(soup).mesh), sse4(mesh, Simd::kSse4), best(mesh, best_simd()) {
-    const Bounds all = best.bounds();
+  explicit Edited(const Soup& soup) : mesh(build(soup).mesh) {
+    for (const Simd simd : supported()) trees.emplace_back(mesh, simd);
+    const Bounds all = best().bounds();
     centre = all.centre();
     size = all.diagonal();
   }
@@ -52,17 +61,19 @@ struct Edited {
   void split(FaceId f) { refinement.split(mesh, f, late); }
   void bisect(FaceId f) { bisect_longest_edge(mesh, refinement, f, late); }
   void update_trees() {
-    // One tree is updated face by face, the other in one call.
-    for (const auto& r : late)
-      sse4.replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
-    best.replace(mesh, late);
+    // The best tree is updated in one call, the others face by face.
+    for (size_t i = 0; i + 1 < trees.size(); ++i) {
+      for (const auto& r : late)
+        trees[i].replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
+    }
+    best().replace(mesh, late);
     late.clear();
   }
   void remove(FaceId f) {
     const auto element = refinement.element(mesh, f);
     refinement.forget(mesh, f);
     for (int k = 0; k < element.face_count; ++k) {
-      for (AabbTree* tree : {&sse4, &best}) tree->remove(element.faces[k]);
+      for (AabbTree& tree : trees) tree.remove(element.faces[k]);
       mesh.remove_face(element.faces[k]);
     }
   }
@@ -81,12 +92,15 @@ struct Edited {
         corners.push_back(c);
     }
     const std::vector<FaceId> added = mesh.add_faces(corners, std::vector<FaceData>(corners.size()));
-    for (AabbTree* tree : {&sse4, &best}) tree->add(mesh, added);
+    for (AabbTree& tree : trees) tree.add(mesh, added);
   }
+
+  AabbTree& best() { return trees.back(); }
+  const AabbTree& best() const { return trees.back(); }
 
   Mesh mesh;
   OneToFour refinement;
-  AabbTree sse4, best;
+  std::vector<AabbTree> trees;  // by instruction set, see supported()
   std::vector<Replacement> late;
   Vec3 centre;
   double size;
@@ -103,9 +117,9 @@ Bounds brute_bounds(const Mesh& mesh) {
 }
 
 void expect_answers_as_brute_force(Edited& e, Random& random) {
-  for (AabbTree* tree : {&e.sse4, &e.best}) {
-    tree->fit_bounds(e.mesh);
-    ASSERT_EQ(tree->bounds(), brute_bounds(e.mesh));
+  for (AabbTree& tree : e.trees) {
+    tree.fit_bounds(e.mesh);
+    ASSERT_EQ(tree.bounds(), brute_bounds(e.mesh));
   }
   const Interval range{0.1 * e.size, 1.8 * e.size};
   for (int i = 0; i < 8; ++i) {
@@ -115,29 +129,34 @@ void expect_answers_as_brute_force(Edited& e, Random& random) {
       const Vec3 at = e.centre + 0.2 * e.size * random_direction(random) + 0.01 * r * e.size * sideways;
       rays.push_back({at - e.size * axis, axis});
     }
-    std::vector<std::vector<RayHit>> one(rays.size()), many(rays.size()), other(rays.size());
-    e.best.crossings(e.mesh, rays, range, many);
-    e.sse4.crossings(e.mesh, rays, range, other);
-    for (size_t r = 0; r < rays.size(); ++r) {
-      e.best.crossings(e.mesh, rays[r], range, one[r]);
-      const std::vector<RayHit> brute = brute_crossings(e.mesh, rays[r], range);
-      ASSERT_EQ(one[r], brute);
-      ASSERT_EQ(many[r], brute);
-      ASSERT_EQ(other[r], brute);
-      const auto nearest = e.best.nearest(e.mesh, rays[r], range);
-      ASSERT_EQ(nearest, e.sse4.nearest(e.mesh, rays[r], range));
-      ASSERT_EQ(nearest, brute.empty() ? std::nullopt : std::optional(brute.front()));
+    std::vector<std::vector<RayHit>> brute_hits;
+    for (const Pose& ray : rays) brute_hits.push_back(brute_crossings(e.mesh, ray, range));
+    for (const AabbTree& tree : e.trees) {
+      std::vector<std::vector<RayHit>> one(rays.size()), many(rays.size());
+      tree.crossings(e.mesh, rays, range, many);
+      ASSERT_EQ(many, brute_hits);
+      for (size_t r = 0; r < rays.size(); ++r) {
+        const std::vector<RayHit>& brute = brute_hits[r];
+        tree.crossings(e.mesh, rays[r], range, one[r]);
+        ASSERT_EQ(one[r], brute);
+        ASSERT_EQ(tree.nearest(e.mesh, rays[r], range),
+                  brute.empty() ? std::nullopt : std::optional(brute.front()));
+      }
     }
     const SweptCylinder beam(rays[0], {rays[0].origin + 0.2 * e.size * sideways, axis}, 0.03 * e.size, range);
-    std::vector<FaceId> found, found_sse4, brute;
-    e.best.touched(e.mesh, beam, found);
-    e.sse4.touched(e.mesh, beam, found_sse4);
+    std::vector<FaceId> brute;
     for (uint32_t f = 0; f < e.mesh.face_slots(); ++f) {
       if (e.mesh.is_live(FaceId(f)) && beam.touches(e.mesh.triangle(FaceId(f)))) brute.emplace_back(f);
     }
-    for (std::vector<FaceId>* faces : {&found, &found_sse4}) {
-      std::sort(faces->begin(), faces->end());
-      ASSERT_EQ(*faces, brute);
+    QueryCounts first;
+    for (const AabbTree& tree : e.trees) {
+      std::vector<FaceId> found;
+      const QueryCounts counts = tree.touched(e.mesh, beam, found);
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, brute);
+      // Culling is the same to the bit as well, but the trees differ in shape by how they were updated.
+      if (&tree == &e.trees[0]) first = counts;
+      if (&tree + 1 != e.trees.data() + e.trees.size()) ASSERT_EQ(counts.faces, first.faces);
     }
   }
 }
@@ -161,8 +180,8 @@ TEST(TreeEdits, all_queries_equal_brute_force_after_random_edits) {
           }
         }
         e.update_trees();
-        ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
-        expect_boxes_nest(e.best, e.mesh);
+        ASSERT_EQ(e.best().leaf_count(), e.mesh.live_faces());
+        expect_boxes_nest(e.best(), e.mesh);
         ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
       }
     }
@@ -195,8 +214,8 @@ TEST(TreeEdits, all_queries_equal_brute_force_with_added_faces) {
       Random random(seed);
       for (int round = 0; round < 8 && e.mesh.live_faces() > 0; ++round) {
         edit_at_random(e, random);
-        ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
-        expect_boxes_nest(e.best, e.mesh);
+        ASSERT_EQ(e.best().leaf_count(), e.mesh.live_faces());
+        expect_boxes_nest(e.best(), e.mesh);
         ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
       }
     }
@@ -219,25 +238,25 @@ TEST(TreeEdits, all_queries_equal_brute_force_after_undo_and_redo) {
         Mesh::Star star;
         e.mesh.star(v, star);
         e.mesh.move_vertex(v, e.mesh.position(v) + 0.3 * e.size * random_direction(random));
-        for (AabbTree* tree : {&e.sse4, &e.best}) tree->refit(e.mesh, star.faces);
+        for (AabbTree& tree : e.trees) tree.refit(e.mesh, star.faces);
       }
       change.end(e.mesh);
       const auto exchange = [&] {
         std::vector<FaceId> faces;
         change.append_faces(e.mesh, faces);
         change.exchange(e.mesh);
-        for (AabbTree* tree : {&e.sse4, &e.best}) tree->update(e.mesh, faces);
-        expect_boxes_nest(e.best, e.mesh);
+        for (AabbTree& tree : e.trees) tree.update(e.mesh, faces);
+        expect_boxes_nest(e.best(), e.mesh);
       };
       exchange();
-      ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
+      ASSERT_EQ(e.best().leaf_count(), e.mesh.live_faces());
       ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
       if (random.below(2) == 0) {
         e.refinement = refinement;  // the next edits go on from here
         continue;
       }
       exchange();
-      ASSERT_EQ(e.best.leaf_count(), e.mesh.live_faces());
+      ASSERT_EQ(e.best().leaf_count(), e.mesh.live_faces());
       ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
     }
   }
@@ -251,19 +270,19 @@ TEST(TreeEdits, finds_faces_a_ten_millionth_the_size_of_the_mesh) {
   const Interval range{0, 2};  // the upper side
   for (int level = 0; level < 22; ++level) {
     std::vector<RayHit> hits;
-    e.best.crossings(e.mesh, ray, range, hits);
+    e.best().crossings(e.mesh, ray, range, hits);
     ASSERT_EQ(hits.size(), 1u) << "level " << level;
     ASSERT_EQ(hits, brute_crossings(e.mesh, ray, range));
     std::vector<FaceId> found;
     const SweptCylinder line(ray, ray, 0, range);
-    e.best.touched(e.mesh, line, found);
+    e.best().touched(e.mesh, line, found);
     ASSERT_TRUE(std::find(found.begin(), found.end(), hits[0].face) != found.end()) << "level " << level;
     if (!e.refinement.can_split(e.mesh, hits[0].face)) break;
     e.split(hits[0].face);
     e.update_trees();
   }
   std::vector<RayHit> hits;
-  e.best.crossings(e.mesh, ray, range, hits);
+  e.best().crossings(e.mesh, ray, range, hits);
   ASSERT_EQ(hits.size(), 1u);
   EXPECT_LT(longest_edge2(e.mesh.triangle(hits[0].face)), 1e-14);
 }
@@ -272,15 +291,15 @@ TEST(TreeEdits, finds_faces_a_ten_millionth_the_size_of_the_mesh) {
 // last.
 TEST(TreeEdits, boxes_grow_after_a_late_replacement_update) {
   Edited e(plate(1));
-  const double width = e.best.bounds().max.x - e.best.bounds().min.x;
+  const double width = e.best().bounds().max.x - e.best().bounds().min.x;
   for (int i = 0; i < 40; ++i) e.split(FaceId(0));  // the slot of a part that gets smaller and smaller
   e.update_trees();
-  EXPECT_EQ(e.best.bounds().max.x - e.best.bounds().min.x, width);
-  expect_boxes_nest(e.best, e.mesh);
+  EXPECT_EQ(e.best().bounds().max.x - e.best().bounds().min.x, width);
+  expect_boxes_nest(e.best(), e.mesh);
   size_t faces = 0;
   std::vector<FaceId> found;
   const Pose above{{0, 1, 0}, {0, -1, 0}};
-  e.best.touched(e.mesh, SweptCylinder(above, above, 3, {0, 9}), found);
+  e.best().touched(e.mesh, SweptCylinder(above, above, 3, {0, 9}), found);
   faces = found.size();
   EXPECT_EQ(faces, e.mesh.live_faces());
 }
@@ -294,7 +313,7 @@ TEST(TreeEdits, every_box_shrinks_to_its_leaves_after_removals) {
   }
   // What is left of a box is not wider than the leaves in it.
   std::vector<AabbTree::Box> boxes;
-  e.best.for_each_box(e.mesh, [&](const AabbTree::Box& box) { boxes.push_back(box); });
+  e.best().for_each_box(e.mesh, [&](const AabbTree::Box& box) { boxes.push_back(box); });
   for (size_t i = 0; i < boxes.size(); ++i) {
     if (boxes[i].leaf) continue;
     Vec3 low(1e9), high(-1e9);
@@ -330,16 +349,16 @@ TEST(TreeEdits, finds_moved_faces_after_a_refit) {
 
 TEST(TreeEdits, reported_bytes_grow_with_the_tree) {
   const Edited small(grid(4, 1)), large(grid(40, 1));
-  EXPECT_GT(small.best.bytes(), 32 * small.best.leaf_count());
-  EXPECT_GT(large.best.bytes(), 50 * large.best.leaf_count());
-  EXPECT_LT(large.best.bytes(), 120 * large.best.leaf_count());
+  EXPECT_GT(small.best().bytes(), 32 * small.best().leaf_count());
+  EXPECT_GT(large.best().bytes(), 50 * large.best().leaf_count());
+  EXPECT_LT(large.best().bytes(), 120 * large.best().leaf_count());
 }
 
 TEST(TreeEdits, a_copy_is_independent) {
   Edited e(grid(6, 1));
-  const AabbTree copy = e.best;
+  const AabbTree copy = e.best();
   const size_t leaves = copy.leaf_count();
-  for (uint32_t f = 0; f < 20; f += 2) e.best.remove(FaceId(f));
+  for (uint32_t f = 0; f < 20; f += 2) e.best().remove(FaceId(f));
   EXPECT_EQ(copy.leaf_count(), leaves);
   size_t shown = 0;
   copy.for_each_box(e.mesh, [&](const AabbTree::Box& box) { shown += box.leaf; });

@@ -15,6 +15,15 @@ bool parse_number(std::string_view text, double& value) {
   return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
+void add_unit_option(CLI::App& command, std::string& unit) {
+  command.add_option("--unit", unit, "Unit of mesh files that state none: mm, cm, m or in (m)");
+}
+
+Result<FileUnit> parse_unit(const std::string& unit) {
+  if (const auto named = unit_named(unit)) return *named;
+  return bad_input("--unit: \"" + unit + "\" is not a valid value; the values are: mm, cm, m, in");
+}
+
 std::string check_number(const std::string& text, const NumberRange& range, bool whole) {
   double number = 0;
   const std::string kind = whole ? "a whole number " : "a number ";

@@ -10,6 +10,7 @@
 #include "core/base/number_format.h"
 #include "core/base/result.h"
 #include "core/cut/knife.h"
+#include "core/mesh/files/mesh_format.h"
 #include "ui/render/picture.h"
 
 namespace kerf {
@@ -55,6 +56,11 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, T& x, const 
   CLI::Option* const option = command.add_option(name, x, help_with_limits(help, range));
   return option->check([range](const std::string& text) { return check_number(text, range, kWhole); });
 }
+
+// Adds the option --unit for mesh files that state no unit; parsing fills `unit`.
+void add_unit_option(CLI::App& command, std::string& unit);
+// Parses the value of --unit; the error lists the values.
+Result<FileUnit> parse_unit(const std::string& unit);
 
 // Command line options for rendering an image.
 struct PictureArguments {

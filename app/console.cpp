@@ -153,16 +153,16 @@ Error stopped() { return failed("interrupted"); }
 
 Error error_or_stopped(const Error& error) { return interrupted() ? stopped() : error; }
 
-Result<BuiltMesh> load_mesh(const std::filesystem::path& file) {
-  return load_showing_progress<BuiltMesh>(file, load_mesh);
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const MeshReading& reading) {
+  return load_showing_progress(file, [&](const std::filesystem::path& path, const Progress* progress) {
+    return load_mesh(path, progress, reading);
+  });
 }
 
-Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file) {
-  return load_showing_progress<BuiltMesh>(file, load_mesh_with_corners);
-}
-
-Result<OpenedFile> load_file(const std::filesystem::path& file) {
-  auto opened = load_showing_progress<OpenedFile>(file, open_file);
+Result<OpenedFile> load_file(const std::filesystem::path& file, FileUnit unit) {
+  auto opened = load_showing_progress(file, [&](const std::filesystem::path& path, const Progress* progress) {
+    return open_file(path, progress, unit);
+  });
   if (opened && !opened->journal.damage.empty()) warn(opened->journal.damage);
   return opened;
 }

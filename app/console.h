@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/document/journal.h"
 #include "core/document/save.h"
-#include "core/mesh/build_mesh.h"
+#include "core/mesh/mesh_file.h"
 
 namespace kerf {
 
@@ -86,24 +86,22 @@ Error error_or_stopped(const Error& error);
 
 // Loads a file by `load`, showing a ProgressLine. Fails with the error of `load`, or with stopped() after
 // Ctrl-C.
-template <typename Loaded>
-Result<Loaded> load_showing_progress(const std::filesystem::path& file,
-                                     Result<Loaded> (*load)(const std::filesystem::path&, const Progress*)) {
+template <typename Load>
+auto load_showing_progress(const std::filesystem::path& file, const Load& load) {
   ProgressLine line("loading " + file.filename().string());
   const Progress progress = line.progress();
-  Result<Loaded> loaded = load(file, &progress);
-  if (!loaded) return error_or_stopped(loaded.error());
+  auto loaded = load(file, &progress);
+  if (!loaded) loaded = error_or_stopped(loaded.error());
   return loaded;
 }
 
 // Reads a mesh file and builds its mesh, showing a ProgressLine. Fails with an error that names the file, or
 // with stopped() after Ctrl-C.
-Result<BuiltMesh> load_mesh(const std::filesystem::path& file);
-Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file);
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const MeshReading& reading = {});
 
-// Opens any file that Kerf reads, showing a ProgressLine, and warns of a damaged journal. Fails like
-// load_mesh.
-Result<OpenedFile> load_file(const std::filesystem::path& file);
+// Opens any file that Kerf reads, showing a ProgressLine, and warns of a damaged journal. `unit`: see
+// open_file. Fails like load_mesh.
+Result<OpenedFile> load_file(const std::filesystem::path& file, FileUnit unit);
 
 // Returns the files that were read for an opened one: itself and its meshes.
 InputFiles inputs_of(const std::filesystem::path& file, const OpenedFile& opened);

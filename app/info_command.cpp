@@ -2,6 +2,7 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "app/run_description.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/material_table.h"
@@ -46,6 +47,7 @@ nlohmann::ordered_json to_json(const std::string& file, const BuiltMesh& built, 
   const MeshReport& m = built.report;
   return {{"file", file},
           {"format", m.format},
+          {"units", units_json()},
           {"faces_in_file", m.faces_in_file},
           {"triangles_in_file", m.triangles_in_file},
           {"faces", m.faces},
@@ -61,11 +63,14 @@ nlohmann::ordered_json to_json(const std::string& file, const BuiltMesh& built, 
           {"notes", load_notes(m)}};
 }
 
-Status run_info(const std::string& file) {
+Status run_info(const std::string& file, const std::string& unit_name) {
+  MeshReading reading;
+  if (const Status s = unpack(parse_unit(unit_name), reading.unit); !s) return s;
+  record_mesh_unit(reading.unit);
   const auto path = input_file(file);
   if (!path) return path.error();
   catch_interrupts();
-  const auto built = load_mesh(*path);
+  const auto built = load_mesh(*path, reading);
   if (!built) return built.error();
   for (const std::string& warning : built->report.warnings) warn(warning);
   const bool closed = enclosed_volume(built->mesh, 0.5 * (built->report.min + built->report.max)).closed;
@@ -94,8 +99,11 @@ void add_info_command(CLI::App& app, Invocation& invocation) {
   auto file = std::make_shared<std::string>();
   command->add_option("MESH", *file, "A mesh file, or - for standard input: " + list_mesh_titles())
       ->required();
+  auto unit = std::make_shared<std::string>("m");
+  add_unit_option(*command, *unit);
   on_call(
-      *command, invocation, [file] { return run_info(*file); }, "kerf info assets/meshes/car.obj");
+      *command, invocation, [file, unit] { return run_info(*file, *unit); },
+      "kerf info assets/meshes/car.obj");
 }
 
 void add_materials_command(CLI::App& app, Invocation& invocation) {

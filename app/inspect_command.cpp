@@ -181,7 +181,7 @@ Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const P
 }
 
 struct InspectArguments {
-  std::string file;
+  std::string file, unit = "m";
   bool graph = false, dot = false, tree = false;
   std::optional<size_t> step;
 };
@@ -226,8 +226,8 @@ Status cut_all(const std::vector<StrokePath>& strokes, Document& document) {
 
 // Opens any file of Kerf, cuts the strokes of a scene or replays the commands of a journal. Fails with an
 // error that names the file, or with stopped() after Ctrl-C.
-Result<Document> load_document(const std::filesystem::path& file) {
-  auto work = load_file(file);
+Result<Document> load_document(const std::filesystem::path& file, FileUnit unit) {
+  auto work = load_file(file, unit);
   if (!work) return work.error();
   Document document(std::move(work->scene.world));
   if (const Status cut = cut_all(work->scene.strokes, document); !cut) return error_or_stopped(cut.error());
@@ -248,18 +248,20 @@ Status write(const nlohmann::ordered_json& json) {
   return Done{};
 }
 
-Status write_step(const InspectArguments& a) {
+Status write_step(const InspectArguments& a, FileUnit unit) {
   ProgressLine line("cutting " + std::filesystem::path(a.file).filename().string());
   const Progress progress = line.progress();
-  Result<OpenedFile> file = open_file(a.file, &progress);
+  Result<OpenedFile> file = open_file(a.file, &progress, unit);
   if (!file) return error_or_stopped(file.error());
   const auto json = step_json(std::move(*file), *a.step, &progress);
   return json ? write(*json) : Status(error_or_stopped(json.error()));
 }
 
 Status write_what(const InspectArguments& a) {
-  if (a.step) return write_step(a);
-  const auto document = load_document(a.file);
+  const auto unit = parse_unit(a.unit);
+  if (!unit) return unit.error();
+  if (a.step) return write_step(a, *unit);
+  const auto document = load_document(a.file, *unit);
   if (!document) return document.error();
   if (a.tree) return write(tree_json(document->world()));
   write_graph(a, *document);
@@ -281,6 +283,7 @@ void add_inspect_command(CLI::App& app, Invocation& invocation) {
       "inspect", "Print the data of the debug views of a scene, a journal or a mesh as JSON");
   auto a = std::make_shared<InspectArguments>();
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
+  add_unit_option(*command, a->unit);
   auto* graph = command->add_flag(
       "--graph", a->graph,
       "The component graph after the last cut: faces as nodes, shared edges as links; and the pieces with "

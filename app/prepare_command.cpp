@@ -20,7 +20,7 @@ namespace kerf {
 namespace {
 
 struct PrepareOptions {
-  std::string mesh, out, format;
+  std::string mesh, out, format, unit = "m";
   std::optional<int64_t> faces;
   std::optional<double> error;
   std::optional<std::string> subdivide;
@@ -43,9 +43,9 @@ std::optional<Subdivision> subdivision_named(const std::string& name) {
 
 Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
-  if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells) {
+  if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells && o.unit == "m") {
     return bad_input(
-        "nothing to do; give --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
+        "nothing to do; give --unit, --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
   }
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
@@ -68,13 +68,15 @@ class PrepareRun {
 
   Status run() {
     if (const auto s = check(options_); !s) return s;
+    MeshReading reading;
+    if (const auto s = unpack(parse_unit(options_.unit), reading.unit); !s) return s;
     if (const auto s = unpack(input_file(options_.mesh), options_.mesh); !s) return s;
     catch_interrupts();
     if (const auto s =
             input_files(std::array{std::filesystem::path(options_.mesh)}).check("--out", options_.out);
         !s)
       return s;
-    auto built = load_mesh(options_.mesh);
+    auto built = load_mesh(options_.mesh, reading);
     if (!built) return built.error();
     print_repairs(built->report);
     world_.add(make_body("", std::move(*built)));
@@ -179,6 +181,7 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
                        "; - for standard output")
       ->required();
   command->add_option("--format", o->format, "With --out -: format of the mesh (obj)");
+  add_unit_option(*command, o->unit);
   command->add_flag("--turn-shells", o->turn_shells,
                     "Turn closed parts inside others that face the same way, which makes them cavities");
   add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "Simplify to at most this many faces");

@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 struct RenderArguments {
-  std::string file, out;
+  std::string file, out, unit = "m";
   double spread = 0;
   PictureArguments picture;
 };
@@ -23,8 +23,10 @@ Status render(const RenderArguments& a) {
   auto options = a.picture.parse();
   if (!options) return options.error();
   options->spread = a.spread;
+  const auto unit = parse_unit(a.unit);
+  if (!unit) return unit.error();
   catch_interrupts();
-  Result<OpenedFile> work = load_file(a.file);
+  Result<OpenedFile> work = load_file(a.file, *unit);
   if (!work) return work.error();
   if (const auto s = inputs_of(a.file, *work).check("--out", a.out); !s) return s;
   end_on_interrupt();
@@ -124,6 +126,7 @@ void add_render_command(CLI::App& app, Invocation& invocation) {
   auto a = std::make_shared<RenderArguments>();
   command->add_option("FILE", a->file, "A scene (.json), a journal (.kerf) or a mesh")->required();
   command->add_option("-o,--out", a->out, "The PNG to write")->required();
+  add_unit_option(*command, a->unit);
   a->picture.add_to(*command);
   add_number(*command, "--spread", a->spread, kSpread,
              "Explode the pieces by this factor of their distance from the centre (0)");

@@ -154,7 +154,7 @@ class ReplayRun {
 
   Status load() {
     const Stopwatch watch(job_.load_s);
-    auto work = load_showing_progress<OpenedFile>(arguments_.journal, open_journal);
+    auto work = load_showing_progress(arguments_.journal, open_journal);
     if (const Status s = unpack(std::move(work), work_); !s) return s;
     if (work_.journal.torn) warn(work_.journal.damage);
     const World& world = work_.scene.world;

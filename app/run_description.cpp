@@ -9,6 +9,7 @@ namespace kerf {
 namespace {
 
 std::vector<std::string> command_words, named_inputs;
+FileUnit mesh_unit = FileUnit::kMetre;
 
 // Quotes a word for a shell if needed.
 std::string shell_word(const std::string& word) {
@@ -35,19 +36,17 @@ void record_command(std::vector<std::string> words) { command_words = std::move(
 
 void record_inputs(std::vector<std::string> files) { named_inputs = std::move(files); }
 
+void record_mesh_unit(FileUnit unit) { mesh_unit = unit; }
+
+nlohmann::ordered_json units_json() {
+  return {{"length", "m"},     {"area", "m2"},       {"volume", "m3"},
+          {"mass", "kg"},      {"inertia", "kg m2"}, {"energy", "J"},
+          {"angle", "degree"}, {"time", "ms"},       {"mesh_files", unit_symbol(mesh_unit)}};
+}
+
 nlohmann::ordered_json with_run_description(const nlohmann::ordered_json& report) {
-  nlohmann::ordered_json all = {{"version", kVersion},
-                                {"command", command_line()},
-                                {"inputs", named_inputs},
-                                {"units",
-                                 {{"length", "m"},
-                                  {"area", "m2"},
-                                  {"volume", "m3"},
-                                  {"mass", "kg"},
-                                  {"inertia", "kg m2"},
-                                  {"energy", "J"},
-                                  {"angle", "degree"},
-                                  {"time", "ms"}}}};
+  nlohmann::ordered_json all = {
+      {"version", kVersion}, {"command", command_line()}, {"inputs", named_inputs}, {"units", units_json()}};
   all.update(report);
   return all;
 }

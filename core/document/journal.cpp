@@ -277,9 +277,9 @@ Result<OpenedFile> open_journal(const std::filesystem::path& file, const Progres
   return OpenedFile{std::move(*scene), std::move(*journal)};
 }
 
-Result<OpenedFile> open_file(const std::filesystem::path& file, const Progress* progress) {
-  if (is_journal(file)) return open_journal(file, progress);
-  auto scene = read_scene(file, progress);
+Result<OpenedFile> open_file(const std::filesystem::path& file, const Progress* progress, FileUnit unit) {
+  if (is_journal(file)) return unit == FileUnit::kMetre ? open_journal(file, progress) : states_units(file);
+  auto scene = read_scene(file, progress, unit);
   if (!scene) return scene.error();
   return OpenedFile{std::move(*scene), {}};
 }

@@ -76,8 +76,9 @@ struct OpenedFile {
   Journal journal;  // with the scene as described in the file; empty if the file is not a journal
 };
 
-// Reads a scene (.json), a journal (.kerf) or a mesh.
-Result<OpenedFile> open_file(const std::filesystem::path& file, const Progress* progress = nullptr);
+// Reads a scene (.json), a journal (.kerf) or a mesh. `unit`: see read_description; for meshes only.
+Result<OpenedFile> open_file(const std::filesystem::path& file, const Progress* progress = nullptr,
+                             FileUnit unit = FileUnit::kMetre);
 
 // Reads a journal regardless of its file extension.
 Result<OpenedFile> open_journal(const std::filesystem::path& file, const Progress* progress = nullptr);

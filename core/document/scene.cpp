@@ -123,7 +123,8 @@ int hex_digit(char c) {
   return -1;
 }
 
-constexpr std::array kKinds{"weld", "hinge", "hub"};  // in the order of Joint::Kind
+constexpr std::array kUnitNames{"mm", "cm", "m", "in"};  // in the order of FileUnit
+constexpr std::array kKinds{"weld", "hinge", "hub"};     // in the order of Joint::Kind
 
 template <typename T>
 Status read_two(const JsonValue& value, const char* of_what, std::array<T, 2>& two,
@@ -236,12 +237,20 @@ Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
   return made;
 }
 
-Result<SceneDescription> read_description(const std::filesystem::path& file) {
+Error states_units(const std::filesystem::path& file) {
+  return bad_input(
+      file.string() +
+      ": a unit can be given for mesh files only; scenes and journals state that of each mesh (\"unit\")");
+}
+
+Result<SceneDescription> read_description(const std::filesystem::path& file, FileUnit unit) {
   if (file.extension() != ".json") {
     SceneDescription scene;
     scene.bodies.push_back(body_of_file(file));
+    scene.bodies.front().unit = unit;
     return scene;
   }
+  if (unit != FileUnit::kMetre) return states_units(file);
   return read_described<SceneDescription>(file);
 }
 
@@ -278,7 +287,7 @@ Result<Scene> load_scene(SceneDescription description, const Progress* progress)
     if (body.hash) {
       if (const auto same = check_hash(body, hashing); !same) return same.error();
     }
-    auto loaded = load_body(body.name, body.mesh, &loading);
+    auto loaded = load_body(body.name, body.mesh, &loading, body.unit);
     if (!loaded) return loaded.error();
     if (const auto added = add_scene_body(body, std::move(*loaded), scene.world); !added)
       return added.error();
@@ -286,8 +295,8 @@ Result<Scene> load_scene(SceneDescription description, const Progress* progress)
   return scene;
 }
 
-Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress) {
-  auto description = read_description(file);
+Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress, FileUnit unit) {
+  auto description = read_description(file, unit);
   if (!description) return description.error();
   return load_scene(std::move(*description), progress);
 }
@@ -367,6 +376,7 @@ void lights_field(Fields& f, const char* key, std::vector<Light>& lights) {
 
 void describe(Fields& f, SceneBody& body) {
   f.path("mesh", body.mesh);
+  if (f.present("unit", body.unit != FileUnit::kMetre)) f.choice("unit", body.unit, kUnitNames);
   if (f.reading()) body.name = body.mesh.stem().string();
   f.text("name", body.name, kOptional);
   f.vector("position", body.placement.position, VectorRule::kAny, Vec3(0));

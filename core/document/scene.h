@@ -14,6 +14,7 @@
 #include "core/base/result.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/mesh_format.h"
 #include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 
@@ -63,7 +64,8 @@ struct SceneBody {
   std::filesystem::path mesh;  // relative to the current folder, or absolute
   std::string name;
   Placement placement;
-  std::optional<uint64_t> hash;  // of the mesh file's bytes, see file_hash
+  std::optional<uint64_t> hash;      // of the mesh file's bytes, see file_hash
+  FileUnit unit = FileUnit::kMetre;  // of a mesh file that states none
   Sheet sheet;
   Solidity solid = Solidity::kSheet;
   std::string cut_material = "cut";  // of the walls of a solid body; may be one of the mesh
@@ -79,7 +81,8 @@ inline constexpr std::array kEditorKeys{"emitter", "path", "rulers", "shown"};
 // The content of a scene file or of the head of a journal, without the meshes:
 //
 //   {"version": 1,
-//    "bodies": [{"mesh": "../meshes/car.obj", "name": "car", "position": [..], "orientation": [w,x,y,z],
+//    "bodies": [{"mesh": "../meshes/car.obj", "unit": "mm", "cm", "m" or "in", "name": "car",
+//                "position": [..], "orientation": [w,x,y,z],
 //                "thickness": 0.0008, "density": 7850, "solid": true, false or "auto", "cut_material": "cut",
 //                "joints": [..]}],
 //    "paints": {"tyre": {"colour": "#202224", "gloss": 0.1}}, "view": {"eye": [..], "target": [..]},
@@ -102,9 +105,11 @@ struct Scene : SceneDescription {
   World world;
 };
 
-// Reads the description of a scene (.json), or describes a mesh file as a scene of one body. Mesh paths in a
-// scene file are relative to the file. Fails if the file is not a valid scene; does not read meshes.
-Result<SceneDescription> read_description(const std::filesystem::path& file);
+// Reads the description of a scene (.json), or describes a mesh file as a scene of one body, whose unit is
+// `unit` if the file states none. Mesh paths in a scene file are relative to the file. Fails if the file is
+// not a valid scene, or if a unit other than the metre is given for a scene; does not read meshes.
+Result<SceneDescription> read_description(const std::filesystem::path& file,
+                                          FileUnit unit = FileUnit::kMetre);
 
 // Adds the loaded mesh of a description to a world, with its placement, sheet, solidity and joints. Fails
 // if a joint cannot be made (see make_joint); the world must not be used then. O(joints * faces).
@@ -115,7 +120,10 @@ Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& wo
 Result<Scene> load_scene(SceneDescription description, const Progress* progress = nullptr);
 
 // Reads and loads a scene: read_description(), then load_scene(), with their errors.
-Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr);
+Result<Scene> read_scene(const std::filesystem::path& file, const Progress* progress = nullptr,
+                         FileUnit unit = FileUnit::kMetre);
+// The error of a unit other than the metre for a scene or a journal.
+Error states_units(const std::filesystem::path& file);
 
 // Computes the missing hashes of mesh files, as journals require. Fails if a file cannot be read.
 Status record_hashes(SceneDescription& description, const Progress* progress = nullptr);

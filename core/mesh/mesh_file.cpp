@@ -141,12 +141,21 @@ Result<Soup> load_and_parse(const std::filesystem::path& path, const std::string
   return parse(bytes->view(), name, path.extension().string(), folder, &parsing);
 }
 
+void convert_to_metres(Soup& soup, FileUnit unit) {
+  const auto format = mesh_format(soup.format);
+  if (unit == FileUnit::kMetre || !format || states_unit(*format)) return;
+  const double metres = metres_per_unit(unit);
+  for (Vec3& p : soup.positions) p *= metres;
+}
+
 }  // namespace
 
-Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress) {
+Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress, FileUnit unit) {
   const std::string name = one_line(path.string());
   try {
-    return load_and_parse(path, name, progress);
+    auto soup = load_and_parse(path, name, progress);
+    if (soup) convert_to_metres(*soup, unit);
+    return soup;
   } catch (const std::bad_alloc&) {
     return failed(name + ": not enough memory to read it.");
   }
@@ -158,15 +167,13 @@ Result<Soup> decode_mesh(std::string_view bytes, const std::string& name, const 
   return parse(bytes, name, format, {}, progress);
 }
 
-namespace {
-
-Result<BuiltMesh> load_and_build(const std::filesystem::path& file, const Progress* progress,
-                                 bool keeps_corners) {
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress,
+                            const MeshReading& how) {
   constexpr double kReading = 0.2;  // of the time; the rest is building
   const Progress reading = share_of(progress, 0, kReading), building = share_of(progress, kReading, 1);
-  auto soup = read_mesh(file, &reading);
+  auto soup = read_mesh(file, &reading, how.unit);
   if (!soup) return soup.error();
-  soup->keeps_corners = keeps_corners;
+  soup->keeps_corners = how.keeps_corners;
   const std::string name = one_line(file.string());
   try {
     auto built = build_mesh(*soup, &building);
@@ -176,16 +183,6 @@ Result<BuiltMesh> load_and_build(const std::filesystem::path& file, const Progre
   } catch (const std::bad_alloc&) {
     return failed(name + ": not enough memory to build its mesh.");
   }
-}
-
-}  // namespace
-
-Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress) {
-  return load_and_build(file, progress, false);
-}
-
-Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file, const Progress* progress) {
-  return load_and_build(file, progress, true);
 }
 
 namespace {

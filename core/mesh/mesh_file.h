@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/mesh/build_mesh.h"
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/soup.h"
 
 namespace kerf {
@@ -19,19 +20,25 @@ namespace kerf {
 // format; the extension of the name is only a hint. Fails for anything but a regular file, for files of more
 // than 4 GiB, and for errors of the format's reader, with one sentence that names the file and the line or
 // byte; fails with cancelled() when stopped. `progress` may be null. Files may be read concurrently. Holds
-// the whole file in memory in addition to the result. Linear in its size.
-Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress = nullptr);
+// the whole file in memory in addition to the result. Linear in its size. Positions of formats that state no
+// unit are in `unit` and are converted to metres.
+Result<Soup> read_mesh(const std::filesystem::path& path, const Progress* progress = nullptr,
+                       FileUnit unit = FileUnit::kMetre);
 
 // Likewise for the bytes of a file, which may refer to no other files. `name`: begins the messages; `format`:
 // a hint, the extension of a file name or empty. Throws std::bad_alloc.
 Result<Soup> decode_mesh(std::string_view bytes, const std::string& name, const std::string& format,
                          const Progress* progress);
 
+struct MeshReading {
+  FileUnit unit = FileUnit::kMetre;  // see read_mesh
+  bool keeps_corners = false;        // the mesh has looks even if the file has none (see Soup)
+};
+
 // Reads a mesh file with read_mesh and builds its mesh with build_mesh. The message of every failure but
 // cancelled() names the file. `progress` may be null.
-Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress);
-// Like load_mesh, but the mesh has looks even if the file has none (see Soup::keeps_corners).
-Result<BuiltMesh> load_mesh_with_corners(const std::filesystem::path& file, const Progress* progress);
+Result<BuiltMesh> load_mesh(const std::filesystem::path& file, const Progress* progress,
+                            const MeshReading& reading = {});
 
 // Returns notes for the user about the faces of a file, the most important first: dropped faces, changed
 // faces, consequences for cuts, and then the reader's warnings. Empty for a file without faults. Omits

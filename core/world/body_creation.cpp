@@ -12,10 +12,11 @@
 
 namespace kerf {
 
-Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress) {
+Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress,
+                       FileUnit unit) {
   ProgressShares shares(progress);
   const Progress loading = shares.next(0.5), making = shares.next(0.5);
-  auto built = load_mesh(file, &loading);
+  auto built = load_mesh(file, &loading, {unit});
   if (!built) return built.error();
   return make_body(std::move(name), std::move(*built), &making);
 }

@@ -7,13 +7,16 @@
 
 #include "core/base/parallel.h"
 #include "core/base/result.h"
+#include "core/mesh/files/mesh_format.h"
 #include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
 
 namespace kerf {
 
-// Loads a mesh file as a body. Fails like load_mesh and make_body. `progress` may be null.
-Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress);
+// Loads a mesh file as a body; `unit` is that of its positions if the file states none. Fails like load_mesh
+// and make_body. `progress` may be null.
+Result<Body> load_body(std::string name, const std::filesystem::path& file, const Progress* progress,
+                       FileUnit unit = FileUnit::kMetre);
 
 // A piece to remesh, copied from its body.
 struct PieceCopy {

@@ -175,19 +175,20 @@ Placement Start::placement() const { return {position, axis_angle({0, 1, 0}, hea
 
 Result<Arena> load_arena(ArenaDescription description, const Progress* progress) {
   Arena arena{std::move(description), {}};
-  std::map<std::filesystem::path, Body> loaded;
+  std::map<std::pair<std::filesystem::path, FileUnit>, Body> loaded;
   ProgressShares shares(progress);
   const double share = 1 / static_cast<double>(std::max<size_t>(arena.description.bodies.size(), 1));
   for (const ArenaBody& described : arena.description.bodies) {
     const Progress loading = shares.next(share);
     const std::filesystem::path mesh = described.body.mesh.lexically_normal();
-    if (!loaded.contains(mesh)) {
-      auto body = load_body(described.body.name, mesh, &loading);
+    const auto key = std::pair(mesh, described.body.unit);
+    if (!loaded.contains(key)) {
+      auto body = load_body(described.body.name, mesh, &loading, described.body.unit);
       if (!body) return body.error();
-      loaded.emplace(mesh, std::move(*body));
+      loaded.emplace(key, std::move(*body));
     }
     ModelBody& model = arena.bodies.emplace_back();
-    model.body = loaded.at(mesh);
+    model.body = loaded.at(key);
     model.body.name = described.body.name;
     model.body.placement = described.body.placement;
     model.body.sheet = described.body.sheet;

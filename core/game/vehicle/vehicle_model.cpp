@@ -63,7 +63,7 @@ class ModelLoader {
   }
 
   Result<std::shared_ptr<const VehicleModel>> load() {
-    const auto soup = read_mesh(what().body.mesh, progress_);
+    const auto soup = read_mesh(what().body.mesh, progress_, what().body.unit);
     if (!soup) return soup.error();
     if (const Status split = split_up(*soup); !split) return split.error();
     if (const Status joined = share_out_joints(); !joined) return joined.error();

@@ -215,9 +215,18 @@ double metres_per_unit(FileUnit unit) {
   return kMetres.at(static_cast<size_t>(unit));
 }
 
-std::string_view unit_symbol(FileUnit unit) {
-  constexpr std::array kSymbols{"mm", "cm", "m", "in"};
-  return kSymbols.at(static_cast<size_t>(unit));
+namespace {
+
+constexpr std::array<std::string_view, 4> kUnitSymbols{"mm", "cm", "m", "in"};
+
+}  // namespace
+
+std::string_view unit_symbol(FileUnit unit) { return kUnitSymbols.at(static_cast<size_t>(unit)); }
+
+std::optional<FileUnit> unit_named(std::string_view symbol) {
+  const auto found = std::ranges::find(kUnitSymbols, symbol);
+  if (found == kUnitSymbols.end()) return std::nullopt;
+  return static_cast<FileUnit>(found - kUnitSymbols.begin());
 }
 
 Vec3 to_y_up(const Vec3& v, UpAxis up) { return up == UpAxis::kZ ? Vec3(v.x, v.z, -v.y) : v; }

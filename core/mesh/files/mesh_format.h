@@ -49,6 +49,9 @@ constexpr bool is_gltf(MeshFormat format) {
   return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
 }
 
+// Returns true for formats whose lengths are in metres or in a unit that the file states.
+constexpr bool states_unit(MeshFormat format) { return is_gltf(format) || format == MeshFormat::k3mf; }
+
 // Returns true for the formats that write_meshes() writes.
 constexpr bool holds_several_meshes(MeshFormat format) {
   return is_gltf(format) || format == MeshFormat::k3mf;
@@ -99,6 +102,8 @@ double metres_per_unit(FileUnit unit);
 
 // Returns "mm", "cm", "m" or "in".
 std::string_view unit_symbol(FileUnit unit);
+// The inverse of unit_symbol(); nullopt for any other text.
+std::optional<FileUnit> unit_named(std::string_view symbol);
 
 // Converts a direction or point into a frame in which +Y points upwards: (x, z, -y) for kZ. Exact.
 Vec3 to_y_up(const Vec3& v, UpAxis up);

@@ -96,6 +96,7 @@ inline void on_call(CLI::App& command, Invocation& invocation, Invocation run, c
 void add_info_command(CLI::App& app, Invocation& invocation);
 void add_cut_command(CLI::App& app, Invocation& invocation);
 void add_path_command(CLI::App& app, Invocation& invocation);
+void add_compare_command(CLI::App& app, Invocation& invocation);
 void add_inspect_command(CLI::App& app, Invocation& invocation);
 void add_render_command(CLI::App& app, Invocation& invocation);
 void add_replay_command(CLI::App& app, Invocation& invocation);

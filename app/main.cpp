@@ -96,6 +96,7 @@ int parse_and_run(int argc, char** argv) {
   kerf::add_info_command(app, invocation);
   kerf::add_cut_command(app, invocation);
   kerf::add_path_command(app, invocation);
+  kerf::add_compare_command(app, invocation);
   kerf::add_inspect_command(app, invocation);
   kerf::add_render_command(app, invocation);
   kerf::add_replay_command(app, invocation);

@@ -3,6 +3,7 @@
 # Prints the values of an option that has a fixed list of them.
 _kerf_values() {
   case $1 in
+    --align) echo none centre icp ;;
     --assist) echo none oxygen ;;
     --collider-names) echo unreal godot ;;
     --colliders) echo hull ;;
@@ -16,6 +17,7 @@ _kerf_values() {
     --scheme) echo longest-edge one-to-four ;;
     --show) kerf render --help 2>/dev/null | sed -n '/^  --show /s/.*): //p' | tr -d , ;;
     --subdivide) echo loop sqrt3 midpoint ;;
+    --unit) echo mm cm m in ;;
   esac
 }
 

@@ -12,6 +12,7 @@ end
 
 complete -c kerf -n __fish_use_subcommand -a '(__kerf_subcommands)'
 complete -c kerf -n 'string match -q -- "-*" (commandline -ct)' -a '(__kerf_options)'
+complete -c kerf -l align -x -a 'none centre icp'
 complete -c kerf -l assist -x -a 'none oxygen'
 complete -c kerf -l collider-names -x -a 'unreal godot'
 complete -c kerf -l colliders -x -a hull
@@ -25,3 +26,4 @@ complete -c kerf -l rim -x -a 'faces smooth'
 complete -c kerf -l scheme -x -a 'longest-edge one-to-four'
 complete -c kerf -l show -x -a '(kerf render --help 2>/dev/null | string replace -rf \'^  --show .*\): \' \'\' | string split ", ")'
 complete -c kerf -l subdivide -x -a 'loop sqrt3 midpoint'
+complete -c kerf -l unit -x -a 'mm cm m in'

@@ -303,6 +303,50 @@ class CommandLine(unittest.TestCase):
                            (["--report"], "report")):
             self.assert_refused(self.run_here(*args), 2, word)
 
+    def test_a_unit_converts_files_that_state_none_to_metres(self):
+        self.write("cube.obj", CUBE)
+        for unit, metres in (("mm", 0.001), ("cm", 0.01), ("m", 1), ("in", 0.0254)):
+            info = json.loads(self.run_here("info", "cube.obj", "--unit", unit).stdout)
+            self.assertEqual(unit, info["units"]["mesh_files"])
+            self.assertAlmostEqual(6 * metres**2, info["area"], delta=1e-12)
+        self.assertEqual(0, self.run_here("prepare", "cube.obj", "--unit", "mm", "--out", "cube.3mf").returncode)
+        for name in ("cube.3mf", "cube.obj"):  # 3MF states its unit
+            info = json.loads(self.run_here("info", name, "--unit", "mm").stdout)
+            self.assertAlmostEqual(6e-6, info["area"], delta=1e-12)
+        compared = json.loads(self.run_here("compare", "cube.3mf", "cube.obj", "--unit", "mm").stdout)
+        self.assertLess(compared["distance"]["max"], 1e-9)
+        # The journal and a scene keep the unit.
+        done = self.run_here("cut", "cube.obj", "--unit", "mm", "--plane", "1,0,0,0.0004", "--solid", "--out", "out", "--journal", "a.kerf")
+        self.assertEqual(0, done.returncode, done.stderr)
+        report = json.loads(self.read("out/report.json"))
+        self.assertEqual("mm", report["units"]["mesh_files"])
+        for piece, volume in zip(report["pieces"], (6e-10, 4e-10)):
+            self.assertAlmostEqual(volume, piece["volume"], delta=1e-18)
+        done = self.run_here("replay", "a.kerf")
+        self.assertEqual((0, report["state_hash"]), (done.returncode, done.stdout.strip()))
+        self.write("scene.json", json.dumps({"bodies": [{"mesh": "cube.obj", "unit": "mm"}]}))
+        self.write("settings.json", '{"unit": "mm"}')
+        for arguments in (["scene.json"], ["cube.obj", "--settings", "settings.json"]):
+            self.run_here("cut", *arguments, "--out", "out")
+            self.assertAlmostEqual(6e-6, json.loads(self.read("out/report.json"))["input"]["area"], delta=1e-12)
+        for command in (["cut", "scene.json", "--out", "out"], ["render", "scene.json", "--out", "a.png"], ["inspect", "a.kerf", "--graph"]):
+            self.assert_refused(self.run_here(*command, "--unit", "mm"), 2, "state that of each mesh")
+        self.assert_refused(self.run_here("info", "cube.obj", "--unit", "ft"), 2, "the values are: mm, cm, m, in")
+
+    def test_the_instruction_set_does_not_change_results(self):
+        hashes = set()
+        for simd in ("plain", "sse4", "avx2", None):
+            environment = {**os.environ, **({"KERF_SIMD": simd} if simd else {})}
+            done = subprocess.run([KERF, "cut", "assets/meshes/car.obj", "--radius", "0.02", "--path", os.path.join(self.folder.name, "across.json"),
+                                   "--out", os.path.join(self.folder.name, "out")], cwd=ROOT, env=environment, capture_output=True, text=True)
+            if done.returncode == 2 and "this processor does not support" in done.stderr:
+                continue
+            self.assertEqual(0, done.returncode, done.stderr)
+            hashes.add(json.loads(self.read("out/report.json"))["state_hash"])
+        self.assertEqual(1, len(hashes))
+        done = subprocess.run([KERF, "materials"], env={**os.environ, "KERF_SIMD": "fast"}, capture_output=True, text=True)
+        self.assert_refused(done, 2, "KERF_SIMD must be plain, sse4 or avx2")
+
     def test_unwritable_output_exits_with_1(self):
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "/proc/nowhere"), 1, "/proc/nowhere")
         self.write("file", "")

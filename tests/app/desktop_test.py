@@ -23,7 +23,7 @@ SPHERE = os.path.join(ROOT, 'assets/meshes/sphere.obj')
 REFUSED = ('cut x --out y --rim', 'cut x --out y --scheme', 'cut x --out y --model', 'cut x --out y --pattern',
            'cut x --out y --assist', 'cut x --out y --format', f'prepare {SPHERE} --out x.obj --subdivide',
            f'render {SPHERE} --out x.png --show', f'cut {SPHERE} --out y --material', 'play --driver',
-           'play --headless --driver bot --difficulty')
+           'play --headless --driver bot --difficulty', 'compare x y --align', 'info x --unit')
 
 
 def text_of(name):
@@ -36,7 +36,7 @@ def accepted(line):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([KERF, *shlex.split(line), '?'], capture_output=True, text=True, cwd=folder)
     assert done.returncode == 2, done
-    return set(re.findall('[a-z0-9][a-z0-9-]+', re.split(r'values are: |names: |materials are: |must be ', done.stderr)[1])) - {'or'}
+    return set(re.findall('[a-z0-9][a-z0-9-]*', re.split(r'values are: |names: |materials are: |must be ', done.stderr)[1])) - {'or'}
 
 
 def mime_types():

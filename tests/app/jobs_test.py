@@ -146,5 +146,38 @@ class Jobs(unittest.TestCase):
         self.assertIn('.json, .svg or .nc', self.kerf('path', good, '--out', self.path('x.dxf'), status=2))
         self.assertIn('good.svg', self.kerf('path', good, '--out', good, status=2))
 
+    def compare(self, *arguments):
+        done = subprocess.run([KERF, 'compare', *map(str, arguments)], capture_output=True, text=True, check=False)
+        self.assertEqual(0, done.returncode, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_compare_states_distances_areas_and_volumes(self):
+        bricks = []
+        for name, move in (('a', 0), ('b', .1)):
+            corners = [(x + move, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+            faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+            bricks.append(self.write(name + '.obj', ''.join('v {} {} {}\n'.format(*c) for c in corners) +
+                                     ''.join('f {} {} {} {}\n'.format(*f) for f in faces)))
+        a, b = bricks
+        same = self.compare(a, a)
+        self.assertEqual({'max': 0, 'mean': 0, 'rms': 0, 'p95': 0}, same['distance'])
+        report = self.compare(a, b)
+        self.assertEqual(([6, 6], [1, 1]), (report['area'], report['volume']))
+        self.assertEqual((.1, [a, b], 'm'), (round(report['distance']['max'], 12), report['inputs'], report['units']['length']))
+        # The left side is .1 outside; the right side is .1 inside, as are parts of the others at their left ends.
+        self.assertAlmostEqual(report['signed']['min'], -.1)
+        self.assertAlmostEqual(report['signed']['max'], .1)
+        self.assertEqual(100000, sum(report['signed']['histogram']))
+        self.assertGreater(report['signed']['histogram'][-1], 100000 / 6 - 100)
+        for align in ('centre', 'icp'):
+            aligned = self.compare(a, b, '--align', align)
+            self.assertLess(aligned['distance']['max'], 1e-12)
+            self.assertAlmostEqual(aligned['motion']['position'][0], .1)
+        sheet = self.sheet(1)
+        report = self.compare(a, sheet)
+        self.assertEqual((None, False), (report['volume'][1], 'signed' in report))
+        self.assertIn('the values are: none, centre, icp', self.kerf('compare', a, b, '--align', 'both', status=2))
+        self.assertIn('none.obj', self.kerf('compare', a, 'none.obj', status=2))
+
 
 unittest.main()

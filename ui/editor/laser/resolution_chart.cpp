@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/base/assert.h"
-#include "core/tree/swept_cylinder.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
@@ -19,6 +18,7 @@ namespace kerf {
 namespace {
 
 constexpr size_t kMovesAtOnce = 16;
+constexpr size_t kDistancesAtOnce = 10'000;  // of points from sweeps, about a millisecond
 constexpr float kHeightEms = 8;
 
 // The volumes that the beam of a stroke sweeps, in the frame of a body.
@@ -72,24 +72,33 @@ class LogAxis {
 
 }  // namespace
 
-std::optional<double> rim_error(const World& world, const std::vector<Command>& stroke, double edge) {
+RimError::RimError(const World& world, const std::vector<Command>& stroke, double edge) : edge_(edge) {
   KERF_ASSERT(edge > 0);
-  std::optional<double> error;
   std::vector<Mesh::Side> sides;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    const std::vector<SweptCylinder> sweeps = sweeps_of(stroke, body.placement);
+    const auto sweeps = static_cast<uint32_t>(sweeps_.size());
+    sweeps_.push_back(sweeps_of(stroke, body.placement));
     sides.clear();
     body.mesh.append_open_sides(sides);
-    for (const Mesh::Side& side : sides) {
-      const Vec3 from = body.mesh.position(side.from), to = body.mesh.position(side.to);
-      double farthest = 0;
-      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-        farthest = std::max(farthest, distance_from_boundary(sweeps, (1 - t) * from + t * to));
-      if (farthest <= edge) error = std::max(error.value_or(0), farthest);
-    }
+    for (const Mesh::Side& side : sides)
+      sides_.push_back({body.mesh.position(side.from), body.mesh.position(side.to), sweeps});
   }
-  return error;
+}
+
+void RimError::advance() {
+  KERF_ASSERT(!done());
+  for (size_t work = 0; work < kDistancesAtOnce && !done(); ++next_) {
+    const Side& side = sides_[next_];
+    const std::vector<SweptCylinder>& sweeps = sweeps_[side.sweeps];
+    double farthest = 0;
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      work += sweeps.size();
+      farthest = std::max(farthest, distance_from_boundary(sweeps, (1 - t) * side.from + t * side.to));
+      if (farthest > edge_) break;
+    }
+    if (farthest <= edge_) error_ = std::max(error_.value_or(0), farthest);
+  }
 }
 
 void ResolutionChart::begin(const Document& document) {
@@ -110,15 +119,20 @@ void ResolutionChart::advance(Document& document, double seconds) {
   if (!twin_.there()) return clear();
   const Clock::time_point began = Clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-  while (twin_.waiting() > 0 && passed() < seconds) {
-    if (!twin_.step(kMovesAtOnce)) return clear();
+  if (!rim_) {
+    while (twin_.waiting() > 0 && passed() < seconds) {
+      if (!twin_.step(kMovesAtOnce)) return clear();
+    }
+    seconds_ += passed();
+    if (twin_.waiting() > 0) return;
+    const double edge = kFractions.at(next_) * history.last_settings().laser.radius;
+    rim_.emplace(twin_.world(), history.step(history.base_of(*history.last_cut())).commands(), edge);
+    return;
   }
-  seconds_ += passed();
-  if (twin_.waiting() > 0) return;
-  const double radius = history.last_settings().laser.radius;
-  samples_.push_back({kFractions.at(next_), twin_.faces_made(), std::exchange(seconds_, 0),
-                      rim_error(twin_.world(), history.step(history.base_of(*history.last_cut())).commands(),
-                                kFractions.at(next_) * radius)});
+  while (!rim_->done() && passed() < seconds) rim_->advance();
+  if (!rim_->done()) return;
+  samples_.push_back({kFractions.at(next_), twin_.faces_made(), std::exchange(seconds_, 0), rim_->error()});
+  rim_.reset();
   if (++next_ == kFractions.size()) twin_.forget();
 }
 

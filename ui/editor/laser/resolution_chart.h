@@ -1,21 +1,45 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/document/document.h"
+#include "core/tree/swept_cylinder.h"
 #include "ui/editor/laser/comparison_cut.h"
 #include "ui/editor/shared/laser_controls.h"
 
 namespace kerf {
 
-// Returns the largest distance [m] of the rim that the last stroke left in a world from the boundary of the
-// volume that its beam swept, at the ends and at three points of each of its sides; nullopt if there is no
-// rim, as in solids, whose cuts are closed by walls. Sides farther away than `edge` [m] belong to earlier
-// rims, because the stroke left no longer edges at its rim. Preconditions: edge > 0; `stroke` begins with
-// BeginStroke. O(open sides * moves).
-std::optional<double> rim_error(const World& world, const std::vector<Command>& stroke, double edge);
+// Measures the largest distance of the rim that the last stroke left in a world from the boundary of the
+// volume that its beam swept, at the ends and at three points of each side of the rim. Sides farther away
+// than `edge` [m] belong to earlier rims, because the stroke left no longer edges at its rim. Copies what it
+// needs of the world. In all O(open sides * moves).
+class RimError {
+ public:
+  // Preconditions: edge > 0; `stroke` begins with BeginStroke.
+  RimError(const World& world, const std::vector<Command>& stroke, double edge);
+
+  bool done() const { return next_ == sides_.size(); }
+  // Measures the next sides, about a millisecond of work. Precondition: !done().
+  void advance();
+  // Returns the error of the sides measured so far [m]; nullopt if there is no rim, as in solids, whose cuts
+  // are closed by walls.
+  std::optional<double> error() const { return error_; }
+
+ private:
+  struct Side {
+    Vec3 from, to;    // in the frame of its body [m]
+    uint32_t sweeps;  // index in sweeps_
+  };
+
+  double edge_;
+  std::vector<std::vector<SweptCylinder>> sweeps_;  // by body
+  std::vector<Side> sides_;
+  size_t next_ = 0;
+  std::optional<double> error_;
+};
 
 // The last stroke cut at five edge lengths, one after the other, with the faces that each created and the
 // error of its rim.
@@ -33,7 +57,7 @@ class ResolutionChart {
   // Starts over with the last stroke. Precondition: the document has one.
   void begin(const Document& document);
   bool busy() const { return next_ < kFractions.size(); }
-  // Cuts for about `seconds`. Ends if the stroke is no longer the last one, or cannot be copied.
+  // Cuts or measures for about `seconds`. Ends if the stroke is no longer the last one, or cannot be copied.
   void advance(Document& document, double seconds);
   void clear() { *this = ResolutionChart(); }
 
@@ -48,8 +72,9 @@ class ResolutionChart {
   TwinCut twin_;
   std::vector<Sample> samples_;
   size_t next_ = kFractions.size();
-  size_t revision_ = 0;  // of the document
-  double seconds_ = 0;   // of cutting, for the next sample
+  size_t revision_ = 0;          // of the document
+  double seconds_ = 0;           // of cutting, for the next sample
+  std::optional<RimError> rim_;  // of the next sample, once it is cut
 };
 
 }  // namespace kerf

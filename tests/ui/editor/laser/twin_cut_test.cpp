@@ -107,7 +107,9 @@ TEST_F(TwinCutTest, the_chart_has_five_resolutions_and_the_errors_of_their_rims)
     }
   }
   const auto& stroke = first.history().step(*first.history().last_cut()).commands();
-  EXPECT_NEAR(rim_error(twin.world(), stroke, 0.2).value_or(0), expected, 1e-12);
+  RimError rim(twin.world(), stroke, 0.2);
+  while (!rim.done()) rim.advance();
+  EXPECT_NEAR(rim.error().value_or(0), expected, 1e-12);
   chart.begin(first);
   draw_stroke(-0.1);
   chart.advance(first, 1);

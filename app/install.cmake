@@ -36,6 +36,7 @@ install(TARGETS kerf_shared kerf_face_cpp kerf_face_c EXPORT kerf_targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(FILES ${CMAKE_SOURCE_DIR}/core/kerf.h ${CMAKE_SOURCE_DIR}/core/kerf_c.h
+  ${CMAKE_SOURCE_DIR}/core/kerf_c_mesh.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kerf)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/kerf)
 install(EXPORT kerf_targets NAMESPACE kerf:: DESTINATION ${package} FILE kerfConfig.cmake)

@@ -223,6 +223,22 @@ class Mesh {
     return names;
   }
 
+  // A named range of faces; see kerf_mesh_part_count.
+  struct Part {
+    std::string name;
+    size_t first = 0, count = 0;
+  };
+  // Returns the parts that the file of the mesh names; ranges may overlap.
+  std::vector<Part> parts() const {
+    std::vector<Part> all(kerf_mesh_part_count(get()));
+    for (size_t i = 0; i < all.size(); ++i) {
+      const char* name = nullptr;
+      check(kerf_mesh_get_part(get(), i, &name, &all[i].first, &all[i].count));
+      all[i].name = name;
+    }
+    return all;
+  }
+
   // Return the properties of the mesh; see kerf_mesh_info. O(1).
   kerf_mesh_info info() const {
     kerf_mesh_info info = KERF_MESH_INFO_INIT;
@@ -448,6 +464,9 @@ class World {
     check(kerf_piece_rename(get(), body, piece, name.c_str()));
   }
   void remove(BodyId body, uint32_t piece) { check(kerf_piece_remove(get(), body, piece)); }
+
+  // Joins two parts of a body; see kerf_body_join. Throws InvalidArgument if they cannot be joined.
+  void join(BodyId body, const kerf_joint& joint) { check(kerf_body_join(get(), body, &joint)); }
 
   // Sets the environment of simulations. gravity: m/s^2. ground: height [m]. Throws InvalidArgument for
   // numbers that are not finite.

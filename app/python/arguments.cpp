@@ -125,10 +125,10 @@ Mesh mesh_argument(const py::handle& object, const char* name) {
   return Mesh(positions, faces_argument(faces));
 }
 
-std::array<double, 2> range_argument(const py::handle& object) {
+std::array<double, 2> range_argument(const py::handle& object, const std::string& name) {
   const py::sequence ends = sequence_of(object, 2);
-  if (!ends) throw py::value_error("range: must be (min, max)");
-  return {number_argument(ends[0], "range"), number_argument(ends[1], "range")};
+  if (!ends) throw py::value_error(name + ": must be (min, max)");
+  return {number_argument(ends[0], name), number_argument(ends[1], name)};
 }
 
 Keyframe key_argument(const py::handle& time, const py::handle& origin, const py::handle& direction,

@@ -72,7 +72,7 @@ inline BodyId body_argument(const py::handle& object) { return index_argument(ob
 // Returns the label of a piece.
 uint32_t piece_argument(const py::handle& object);
 // Returns a pair (min, max).
-std::array<double, 2> range_argument(const py::handle& object);
+std::array<double, 2> range_argument(const py::handle& object, const std::string& name = "range");
 
 // Returns a kerf.Mesh, or copies another object with the attributes vertices and faces, or vertices and
 // triangles.

@@ -93,6 +93,28 @@ auto edit(BodyId (World::*change)(BodyId, uint32_t, Values...)) {
   };
 }
 
+void join(World& world, const py::object& body, const py::object& kind, const py::object& part_a,
+          const py::object& part_b, const py::object& anchor, const py::object& axis,
+          const py::object& limits, const py::object& radius) {
+  kerf_joint joint = KERF_JOINT_INIT;
+  joint.kind = choice_argument<kerf_joint_kind>(
+      kind, "kind", {{"weld", KERF_JOINT_WELD}, {"hinge", KERF_JOINT_HINGE}, {"hub", KERF_JOINT_HUB}});
+  const auto read = [](const py::object& object, const char* name, double(&to)[3]) {
+    std::ranges::copy(vector_argument(object, name), to);
+  };
+  read(part_a, "part_a", joint.part_a);
+  read(part_b, "part_b", joint.part_b);
+  read(anchor, "anchor", joint.anchor);
+  if (!axis.is_none()) read(axis, "axis", joint.axis);
+  if (!limits.is_none()) {
+    joint.has_limits = 1;
+    std::ranges::copy(range_argument(limits, "limits"), joint.limits);
+  }
+  if (!radius.is_none()) joint.radius = number_argument(radius, "radius");
+  const BodyId of = body_argument(body);
+  unlocked([&] { world.join(of, joint); });
+}
+
 void add_access(WorldClass& world) {
   world
       .def("add", &add, py::arg("mesh"), py::arg("name") = "mesh", py::kw_only(),
@@ -212,6 +234,21 @@ void add_edits(WorldClass& world) {
 
 void add_time(WorldClass& world) {
   world
+      .def(
+          "join", &join, py::arg("body"), py::arg("kind"), py::arg("part_a"), py::arg("part_b"),
+          py::kw_only(), py::arg("anchor"), py::arg("axis") = py::none(), py::arg("limits") = py::none(),
+          py::arg("radius") = py::none(),
+          "Joins two parts of a body that are not connected, before it is cut or falls apart. A step of the "
+          "history.\n\n"
+          "kind: \"weld\": the parts move as one; \"hinge\" or \"hub\": they turn about the axis.\n"
+          "part_a, part_b: points of shape (3,), metres in the frame of the body; a part is the connected "
+          "faces of which one is nearest to its point.\n"
+          "anchor: a point of the axis, likewise.\n"
+          "axis: direction of shape (3,), of any non-zero length; None: upwards. The first part turns about "
+          "it relative to the second one, by the right-hand rule.\n"
+          "limits: of a hinge, (lowest, highest) in degrees, -180 to 0 and 0 to 180; None: none.\n"
+          "radius: metres; faces of a part carry the joint up to this distance from its point; None: all.\n\n"
+          "Raises TypeError for another kind of object, ValueError if the parts cannot be joined, and Busy.")
       .def(
           "set_environment",
           [](World& in, const py::object& gravity, const py::object& ground) {

@@ -182,6 +182,16 @@ void add_mesh(py::module_& m) {
           "Indices of the materials of faces, uint16 of shape (m,); empty without materials. Read-only.")
       .def_property_readonly("material_names", &kerf::Mesh::material_names,
                              "Names of materials by index, some empty.")
+      .def_property_readonly(
+          "parts",
+          [](const kerf::Mesh& mesh) {
+            py::list parts;
+            for (const kerf::Mesh::Part& part : mesh.parts())
+              parts.append(py::make_tuple(part.name, part.first, part.count));
+            return parts;
+          },
+          "Parts that the file of the mesh names, as tuples (name, first face, number of faces); ranges may "
+          "overlap.")
       .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
       .def_property_readonly("name", &kerf::Mesh::name,
                              "Name of the piece; empty for a mesh that was read or created.")

@@ -95,6 +95,42 @@ Result<kerf_body> add_body(kerf_world& world, const kerf_mesh& mesh, const kerf_
   return to_api(id);
 }
 
+Result<JointDescription> joint_of(const kerf_joint* given) {
+  const auto joint = read_struct(given, KERF_JOINT_INIT, "joint");
+  if (!joint) return joint.error();
+  const auto vector = [](const double v[3]) { return Vec3(v[0], v[1], v[2]); };
+  JointDescription made;
+  switch (joint->kind) {
+    case KERF_JOINT_WELD:
+      made.kind = Joint::Kind::kWeld;
+      break;
+    case KERF_JOINT_HINGE:
+      made.kind = Joint::Kind::kHinge;
+      break;
+    case KERF_JOINT_HUB:
+      made.kind = Joint::Kind::kHub;
+      break;
+    default:
+      return bad_input("kind: must be one of KERF_JOINT_WELD, KERF_JOINT_HINGE and KERF_JOINT_HUB");
+  }
+  made.anchor = vector(joint->anchor);
+  made.near = {vector(joint->part_a), vector(joint->part_b)};
+  if (!is_finite(made.anchor) || !is_finite((*made.near)[0]) || !is_finite((*made.near)[1]))
+    return bad_input("anchor, part_a and part_b: must be finite");
+  if (made.kind != Joint::Kind::kWeld) made.axis = vector(joint->axis);
+  if (!is_finite(made.axis) || made.axis == Vec3(0)) return bad_input("axis: must be finite and not zero");
+  if (joint->has_limits != 0) {
+    made.limits = Interval{joint->limits[0], joint->limits[1]};
+    if (made.kind != Joint::Kind::kHinge) return bad_input("limits: only a hinge has limits");
+    if (!(-180 <= made.limits->low && made.limits->low <= 0 && 0 <= made.limits->high &&
+          made.limits->high <= 180))
+      return bad_input("limits: must be an angle from -180 to 0 and one from 0 to 180 degrees");
+  }
+  if (!(joint->radius > 0)) return bad_input("radius: must be greater than 0");
+  if (std::isfinite(joint->radius)) made.radius = joint->radius;
+  return made;
+}
+
 void fill(const Body& body, kerf_body_info& info) {
   info.name = body.name.c_str();
   if (const auto& table = materials(); table.ok()) {
@@ -260,6 +296,15 @@ kerf_result kerf_piece_rename(kerf_world* world, kerf_body body, uint32_t piece,
   return kerf::edit(world, body, piece, nullptr, [&](kerf::PieceId id) -> kerf::Result<kerf::Command> {
     if (!kerf::is_utf8(name)) return kerf::bad_input("name: must be UTF-8");
     return kerf::Command(kerf::RenamePiece{id, name});
+  });
+}
+
+kerf_result kerf_body_join(kerf_world* world, kerf_body body, const kerf_joint* joint) {
+  if (joint == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "joint: must not be null");
+  return kerf::edit(world, body, 0, nullptr, [&](kerf::PieceId id) -> kerf::Result<kerf::Command> {
+    auto made = kerf::joint_of(joint);
+    if (!made) return made.error();
+    return kerf::Command(kerf::JoinParts{id, std::move(*made)});
   });
 }
 

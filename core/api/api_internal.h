@@ -88,7 +88,8 @@ struct kerf_mesh {
   std::vector<kerf::VertexColour> colours;  // one per position, or empty
   std::vector<uint16_t> materials;          // one per triangle, or empty
   std::vector<std::string> material_names;
-  kerf::CornerLooks looks;  // of the triangles
+  std::vector<kerf::MeshPart> parts;  // of the triangles
+  kerf::CornerLooks looks;            // of the triangles
   std::vector<std::string> attribute_names;
   std::shared_ptr<const kerf::SurfaceLibrary> surfaces;  // describes the materials; null: none
   std::vector<std::string> warnings;                     // of reading

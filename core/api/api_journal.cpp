@@ -94,6 +94,9 @@ class JournalFile {
           if constexpr (requires { c.settings.bodies; }) {
             for (BodyId& body : c.settings.bodies) body = id(body);
           }
+          if constexpr (requires { c.bodies.begin(); }) {
+            for (BodyId& body : c.bodies) body = id(body);
+          }
         },
         command);
     commands_.push_back(std::move(command));
@@ -102,7 +105,7 @@ class JournalFile {
   Status put_body(const AddedBody& added, size_t index) {
     SceneBody body;
     const kerf_mesh& m = *added.mesh;
-    const bool is_soup = m.looks.any() || m.surfaces;  // more than OBJ holds
+    const bool is_soup = m.looks.any() || m.surfaces || !m.parts.empty();  // more than OBJ holds
     char ending[24];
     std::snprintf(ending, sizeof ending, "-mesh-%04zu.", world_.scene.bodies.size() + ++meshes_);
     body.mesh = file_.parent_path() /

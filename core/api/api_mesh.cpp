@@ -46,6 +46,19 @@ bool use_attribute(const CornerLooks& looks, size_t attribute, const Use& use) {
   return true;
 }
 
+// Returns the parts as ranges of the kept triangles, ascending; empty ones are dropped.
+std::vector<MeshPart> parts_of_kept(std::vector<MeshPart> parts, const std::vector<size_t>& kept) {
+  const auto kept_before = [&](uint32_t triangle) {
+    return static_cast<uint32_t>(std::lower_bound(kept.begin(), kept.end(), triangle) - kept.begin());
+  };
+  for (MeshPart& part : parts) {
+    part.first = kept_before(part.first);
+    part.last = kept_before(part.last);
+  }
+  std::erase_if(parts, [](const MeshPart& part) { return part.first == part.last; });
+  return parts;
+}
+
 Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   WeldedTriangles welded(soup.positions);
   std::vector<size_t> kept;
@@ -64,6 +77,7 @@ Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
       mesh.materials.push_back(soup.materials.empty() ? uint16_t{0} : soup.materials[t]);
   }
   if (welded.triangles.empty()) return bad_input(name + ": the file has no usable face.");
+  mesh.parts = parts_of_kept(std::move(soup.parts), kept);
   for (size_t p = 0; p < welded.sources.size() && !soup.colours.empty(); ++p)
     mesh.colours.push_back(soup.colours[welded.sources[p]]);
   mesh.warnings = dropped_notes(dropped);
@@ -89,6 +103,7 @@ Status convert_exactly(Soup soup, kerf_mesh& mesh) {
   mesh.colours = std::move(soup.colours);
   mesh.materials = std::move(soup.materials);
   mesh.material_names = std::move(soup.material_names);
+  mesh.parts = std::move(soup.parts);
   set_looks(mesh, std::move(soup.looks), std::move(soup.surfaces));
   measure(mesh);
   return Done{};
@@ -159,6 +174,7 @@ Soup soup_of(const kerf_mesh& mesh) {
   soup.colours = mesh.colours;
   soup.materials = mesh.materials;
   soup.material_names = mesh.material_names;
+  soup.parts = mesh.parts;
   soup.looks = mesh.looks;
   soup.surfaces = mesh.surfaces;
   soup.faces_in_file = soup.triangles_in_file = mesh.triangles.size();
@@ -284,6 +300,21 @@ size_t kerf_mesh_material_count(const kerf_mesh* mesh) {
 
 const char* kerf_mesh_material_name(const kerf_mesh* mesh, size_t material) {
   return material < kerf_mesh_material_count(mesh) ? mesh->material_names[material].c_str() : nullptr;
+}
+
+size_t kerf_mesh_part_count(const kerf_mesh* mesh) { return mesh == nullptr ? 0 : mesh->parts.size(); }
+
+kerf_result kerf_mesh_get_part(const kerf_mesh* mesh, size_t part, const char** name, size_t* first,
+                               size_t* count) {
+  if (name == nullptr || first == nullptr || count == nullptr)
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "name, first and count: must not be null");
+  if (part >= kerf_mesh_part_count(mesh))
+    return kerf::set_error(KERF_INVALID_ARGUMENT, "part: the mesh has no such part");
+  const kerf::MeshPart& own = mesh->parts[part];
+  *name = own.name.c_str();
+  *first = own.first;
+  *count = own.last - own.first;
+  return KERF_OK;
 }
 
 kerf_result kerf_mesh_get_info(const kerf_mesh* mesh, kerf_mesh_info* info) {

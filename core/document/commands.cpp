@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/scene.h"
 #include "core/document/text/fields.h"
 #include "core/edit/detach.h"
 #include "core/world/body_creation.h"
@@ -301,6 +302,28 @@ Result<Delta> AddMesh::run(World& world, uint32_t generation, const Progress* pr
   if (!body) return body.error();
   Delta delta;
   delta.created = {world.add(std::move(*body), generation)};
+  return delta;
+}
+
+void describe(Fields& f, JoinParts& c) {
+  piece_field(f, c.piece);
+  f.object("joint", c.joint);
+}
+
+Result<Delta> JoinParts::run(World& world, uint32_t, const Progress*) const {
+  const BodyId id = piece.body;
+  if (!has_faces(world, piece)) return no_such_piece(piece);
+  const Body& body = world.body(id);
+  if (body.loaded_as != id || body.mesh.face_slots() != body.loaded.faces ||
+      body.mesh.live_faces() != body.loaded.faces)
+    return bad_input(body.name + ": parts can only be joined before the body is cut or falls apart");
+  auto made = make_joint(joint, id, body);
+  if (!made) return made.error();
+  Joints joints = world.joints();
+  joints.all.push_back(std::move(*made));
+  world.set_joints(std::move(joints));
+  Delta delta;
+  delta.joined = {id};
   return delta;
 }
 

@@ -13,6 +13,7 @@
 #include "core/cut/cut_step.h"
 #include "core/cut/knife.h"
 #include "core/document/extract.h"
+#include "core/joints/joint_description.h"
 #include "core/mesh/remesh/openmesh_tools.h"
 #include "core/mesh/remesh/remeshed.h"
 #include "core/world/world.h"
@@ -269,6 +270,18 @@ struct AddMesh {
 };
 void describe(Fields& f, AddMesh& c);
 
+// Joins two parts of a body that is as it was loaded: fails if it was cut, or if its parts move separately
+// already (see make_joint for other errors).
+struct JoinParts {
+  PieceId piece;  // label 0 of the body
+  JointDescription joint;
+
+  static constexpr const char* kName = "join-parts";
+  size_t weight() const { return joint.parts[0].size() + joint.parts[1].size(); }
+  Result<Delta> run(World& world, uint32_t generation, const Progress* progress) const;
+};
+void describe(Fields& f, JoinParts& c);
+
 struct SetEnvironment {
   Environment around;
 
@@ -300,7 +313,7 @@ using Command =
     std::variant<BeginStroke, MoveBeam, EndStroke, StopStroke, Recut, AdvanceTime, DragBody, ReleaseBody,
                  Play, AddMesh, MovePiece, DuplicatePiece, HidePiece, DeletePiece, RenamePiece, PinPiece,
                  SetSheetProperties, SetSolid, SimplifyPiece, SubdividePiece, SmoothPiece, TurnShells,
-                 CutPlane, CutPath, SetEnvironment, Undo, Redo>;
+                 CutPlane, CutPath, JoinParts, SetEnvironment, Undo, Redo>;
 
 // A command that executes immediately, after the queue. run(world, generation, progress) returns the
 // changes, which are empty if the command has no effect. Bodies that it creates get `generation` (see

@@ -19,72 +19,6 @@ namespace kerf {
 
 namespace {
 
-// The faces of a side of a hinge may extend farther from its pin than as loaded, by this fraction of its
-// radius.
-constexpr double kPinPlay = 0.1;
-
-class CarrierSearch {
- public:
-  CarrierSearch(const SceneJoint& joint, const Body& body) : joint_(joint), body_(body) {}
-
-  Result<JointSide> side(size_t i) const {
-    const Vec3 point = joint_.near ? (*joint_.near)[i] : joint_.anchor;
-    std::vector<Near> near;
-    for (const MeshPart& part : body_.named_parts) {
-      if (part.name != joint_.parts[i]) continue;
-      for (uint32_t f = part.first; f < part.last; ++f)
-        near.push_back({squared_distance(point, body_.mesh.triangle(FaceId(f))), f});
-    }
-    if (near.empty()) return wrong("the mesh has no part named \"" + joint_.parts[i] + "\"");
-    const Near& nearest = *std::min_element(near.begin(), near.end());
-    if (joint_.radius && nearest.distance2 > *joint_.radius * *joint_.radius)
-      return wrong("no face of \"" + joint_.parts[i] + "\" is within its radius");
-    JointSide side;
-    side.component = component(nearest.face);
-    side.point = point;
-    if (joint_.radius) side.radius = *joint_.radius;
-    for (const Near& n : near) {
-      if (joint_.radius && n.distance2 > *joint_.radius * *joint_.radius) continue;
-      if (component(n.face) == side.component) side.faces.push_back(n.face);
-    }
-    std::sort(side.faces.begin(), side.faces.end());
-    side.faces.erase(std::unique(side.faces.begin(), side.faces.end()), side.faces.end());
-    return side;
-  }
-
-  double distance_to(const JointSide& side, const Vec3& point) const {
-    double least2 = std::numeric_limits<double>::infinity();
-    for (const uint32_t f : side.faces)
-      least2 = std::min(least2, squared_distance(point, body_.mesh.triangle(FaceId(f))));
-    return std::sqrt(least2);
-  }
-
-  bool is_near_mesh(const Vec3& p) const {
-    const MeshReport& loaded = body_.loaded;
-    return glm::length(p - body_.middle()) <= 100 * glm::length(loaded.max - loaded.min);
-  }
-
-  Error wrong(const std::string& what) const {
-    return bad_input("the joint of \"" + joint_.parts[0] + "\" and \"" + joint_.parts[1] + "\" in " +
-                     body_.name + ": " + what);
-  }
-
- private:
-  struct Near {
-    double distance2;
-    uint32_t face;
-    auto operator<=>(const Near&) const = default;
-  };
-
-  uint32_t component(uint32_t face) const {
-    const std::vector<uint32_t>& of_base = body_.components.of_base;
-    return of_base.empty() ? 0 : of_base[face];
-  }
-
-  const SceneJoint& joint_;
-  const Body& body_;
-};
-
 constexpr double kHashing = 0.02;  // fraction of the load time of a body with a known hash
 
 Status check_hash(const SceneBody& body, const Progress& progress) {
@@ -143,7 +77,7 @@ Status read_limits(const JsonValue& value, Interval& limits) {
   return value.wrong("must be an angle from -180 to 0 and one from 0 to 180 degrees");
 }
 
-void limits_field(Fields& f, SceneJoint& joint) {
+void limits_field(Fields& f, JointDescription& joint) {
   if (!f.present("limits", joint.limits.has_value())) return;
   f.check(joint.kind == Joint::Kind::kHinge, "limits", "only a hinge has limits");
   f.value(
@@ -153,7 +87,7 @@ void limits_field(Fields& f, SceneJoint& joint) {
       });
 }
 
-void near_field(Fields& f, SceneJoint& joint) {
+void near_field(Fields& f, JointDescription& joint) {
   if (!f.present("near", joint.near.has_value())) return;
   f.value(
       "near",
@@ -212,31 +146,6 @@ void solid_field(Fields& f, Solidity& solid) {
 
 }  // namespace
 
-Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body) {
-  const CarrierSearch search(joint, body);
-  Joint made;
-  made.kind = joint.kind;
-  made.body = id;
-  made.anchor = joint.anchor;
-  const Vec3 size = glm::abs(joint.axis);
-  made.axis = glm::normalize(joint.axis / std::max({size.x, size.y, size.z}));
-  if (!search.is_near_mesh(joint.anchor)) return search.wrong("its anchor is too far from the mesh");
-  if (joint.limits) made.limits = Interval{radians_of(joint.limits->low), radians_of(joint.limits->high)};
-  for (size_t i = 0; i < 2; ++i) {
-    auto side = search.side(i);
-    if (!side) return side.error();
-    made.sides[i] = std::move(*side);
-    if (made.kind == Joint::Kind::kHinge && joint.radius)
-      made.sides[i].reaches_pin = search.distance_to(made.sides[i], made.anchor) + kPinPlay * *joint.radius;
-  }
-  std::vector<uint32_t> both;
-  std::set_intersection(made.sides[0].faces.begin(), made.sides[0].faces.end(), made.sides[1].faces.begin(),
-                        made.sides[1].faces.end(), std::back_inserter(both));
-  if (!both.empty())
-    return search.wrong("a face carries both sides: move \"near\" apart or reduce \"radius\"");
-  return made;
-}
-
 Error states_units(const std::filesystem::path& file) {
   return bad_input(
       file.string() +
@@ -261,7 +170,7 @@ Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& wo
   if (is_solid(description.solid, body)) make_solid(body, true);
   const BodyId id = world.add(std::move(body));
   Joints joints = world.joints();
-  for (const SceneJoint& joint : description.joints) {
+  for (const JointDescription& joint : description.joints) {
     auto made = make_joint(joint, id, world.body(id));
     if (!made) return bad_input(description.mesh.string() + ": " + made.error().message);
     joints.all.push_back(std::move(*made));
@@ -332,14 +241,19 @@ std::string colour_text(const Vec3& linear) {
   return text.data();
 }
 
-void describe(Fields& f, SceneJoint& joint) {
+void describe(Fields& f, JointDescription& joint) {
   f.choice("kind", joint.kind, kKinds);
-  f.value(
-      "parts",
-      [&](const JsonValue& value) {
-        return read_two(value, "names of parts of the mesh", joint.parts, &JsonValue::text);
-      },
-      [&] { return nlohmann::ordered_json(joint.parts); });
+  if (f.present("parts", !joint.parts[0].empty() || !joint.parts[1].empty())) {
+    f.value(
+        "parts",
+        [&](const JsonValue& value) {
+          return read_two(value, "names of parts of the mesh", joint.parts, &JsonValue::text);
+        },
+        [&] { return nlohmann::ordered_json(joint.parts); });
+  } else {
+    f.check(f.present("near", joint.near.has_value()), nullptr,
+            "needs \"parts\", two names, or \"near\", a point of each part");
+  }
   f.vector("anchor", joint.anchor);
   if (joint.kind != Joint::Kind::kWeld) f.vector("axis", joint.axis, VectorRule::kNotZero);
   if (joint.kind == Joint::Kind::kWeld) f.check(!f.present("axis", false), "axis", "a weld has no axis");

@@ -14,36 +14,12 @@
 #include "core/base/result.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
+#include "core/joints/joint_description.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/shadow/shadow_volume.h"
 #include "core/world/world.h"
 
 namespace kerf {
-
-// A joint in a scene file, between two parts of one mesh, each named as in the mesh file (see MeshPart). In
-// the list "joints" of a body:
-//
-//   {"kind": "hinge", "parts": ["door", "frame"], "anchor": [..], "axis": [..], "limits": [0, 70],
-//    "near": [[..], [..]], "radius": 0.08}
-//
-// Only "kind", "parts" and "anchor" are required, and "axis" for hinges and hubs. The first part turns
-// about the axis relative to the second one, by the right-hand rule.
-struct SceneJoint {
-  Joint::Kind kind = Joint::Kind::kWeld;
-  std::array<std::string, 2> parts;
-  Vec3 anchor{0};                           // m, in the frame of the body
-  Vec3 axis{0, 1, 0};                       // of a hinge or a hub; not zero
-  std::optional<Interval> limits;           // of a hinge; degrees, from -180 to 180 and containing 0
-  std::optional<std::array<Vec3, 2>> near;  // m, a point of each part; default: the anchor
-  // Faces of a part carry the joint up to this distance from its point [m]; default: all faces of the part
-  // that are connected with the nearest one.
-  std::optional<double> radius;
-};
-
-// Creates a joint for a loaded body with the id `id`. Fails if the mesh has no such part, if none of its
-// faces is within the radius, if a face would carry both sides, or if the distance of the anchor from the
-// mesh exceeds a hundred times its size. O(faces of the body).
-Result<Joint> make_joint(const SceneJoint& joint, BodyId id, const Body& body);
 
 struct Paint {
   Vec3 colour{0.20, 0.27, 0.33};  // linear RGB; "#rrggbb" (sRGB) in the file
@@ -69,7 +45,7 @@ struct SceneBody {
   Sheet sheet;
   Solidity solid = Solidity::kSheet;
   std::string cut_material = "cut";  // of the walls of a solid body; may be one of the mesh
-  std::vector<SceneJoint> joints;
+  std::vector<JointDescription> joints;
 };
 
 // The description for a single mesh file, with the name of the file and an identity placement.
@@ -148,7 +124,13 @@ nlohmann::ordered_json scene_json(const SceneDescription& scene, const std::file
 
 void describe(Fields& f, SceneDescription& scene);
 void describe(Fields& f, SceneBody& body);
-void describe(Fields& f, SceneJoint& joint);
+// A joint in the list "joints" of a body:
+//
+//   {"kind": "hinge", "parts": ["door", "frame"], "anchor": [..], "axis": [..], "limits": [0, 70],
+//    "near": [[..], [..]], "radius": 0.08}
+//
+// Only "kind", "anchor" and either "parts" or "near" are required, and "axis" for hinges and hubs.
+void describe(Fields& f, JointDescription& joint);
 void describe(Fields& f, Paint& paint);
 void describe(Fields& f, View& view);
 void describe(Fields& f, Light& light);

@@ -88,7 +88,7 @@ std::vector<BodyId> changed_bodies(const World& world, const Delta& delta) {
     if (!b.added.empty() || !b.dead.empty()) ids.push_back(b.body);
   }
   for (const auto* list : {&delta.created, &delta.destroyed, &delta.moved, &delta.mass_changed,
-                           &delta.visibility_changed, &delta.pinned})
+                           &delta.visibility_changed, &delta.pinned, &delta.joined})
     ids.insert(ids.end(), list->begin(), list->end());
   for (const Detached& d : delta.detached) ids.insert(ids.end(), {d.from, d.to});
   return ids;

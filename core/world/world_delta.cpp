@@ -8,8 +8,8 @@ namespace kerf {
 namespace {
 
 // Lists of bodies that changed other than by faces, addition or removal.
-constexpr std::array kChanged{&Delta::moved, &Delta::mass_changed, &Delta::visibility_changed,
-                              &Delta::renamed, &Delta::pinned};
+constexpr std::array kChanged{&Delta::moved,   &Delta::mass_changed, &Delta::visibility_changed,
+                              &Delta::renamed, &Delta::pinned,       &Delta::joined};
 
 void unite(std::vector<FaceId>& faces, const std::vector<FaceId>& more) {
   std::vector<FaceId> both;

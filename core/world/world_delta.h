@@ -82,6 +82,7 @@ struct Delta {
   std::vector<BodyId> visibility_changed;  // with changed Body::hidden
   std::vector<BodyId> renamed;
   std::vector<BodyId> pinned;  // with changed Body::pinned
+  std::vector<BodyId> joined;  // with joints added between their parts
   bool environment = false;    // gravity or the ground changed
   size_t removed_faces = 0;
   // Area lost by the bodies (m^2): of the removed faces, plus the loss (if negative, the gain) of faces
@@ -97,7 +98,7 @@ struct Delta {
   bool changes_bodies() const {
     return replaced || !created.empty() || !destroyed.empty() || !detached.empty() || !moved.empty() ||
            !mass_changed.empty() || !visibility_changed.empty() || !renamed.empty() || !pinned.empty() ||
-           environment;
+           !joined.empty() || environment;
   }
 
   // Appends the delta of the next step. Omits bodies that the first step created and the second destroyed.

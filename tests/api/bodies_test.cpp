@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "core/kerf.h"
 #include "tests/api/sheets.h"
@@ -214,6 +217,122 @@ TEST(Bodies, a_thermal_cut_reports_its_energy_and_depth) {
   EXPECT_EQ(progress.absorbed, cut.absorbed);
   EXPECT_EQ(progress.depth, cut.depth);
   EXPECT_NE(whole.report().find("\"depth_fraction\": "), std::string::npos);
+}
+
+// Two sheets that are apart, 0 to 1 and 1.1 to 2.1 m along x, in y = 0.
+Mesh two_sheets() {
+  const Mesh one = sheet(4);
+  std::vector<double> vertices(one.vertices().begin(), one.vertices().end());
+  std::vector<uint32_t> faces(one.faces().begin(), one.faces().end());
+  const auto shift = static_cast<uint32_t>(vertices.size() / 3);
+  for (size_t i = 0; i < 3 * shift; ++i) vertices.push_back(vertices[i] + (i % 3 == 0 ? 1.1 : 0));
+  for (const uint32_t corner : one.faces()) faces.push_back(corner + shift);
+  return {vertices, faces};
+}
+
+kerf_joint hinge_between_sheets() {
+  kerf_joint joint = KERF_JOINT_INIT;
+  joint.kind = KERF_JOINT_HINGE;
+  joint.part_a[0] = 1.1;
+  joint.part_b[0] = 1;
+  joint.anchor[0] = 1.05;
+  joint.axis[1] = 0;
+  joint.axis[2] = 1;
+  joint.part_a[2] = joint.part_b[2] = joint.anchor[2] = 0.5;
+  return joint;
+}
+
+// A point of a body in the world.
+std::array<double, 3> moved(const kerf_body_info& info, const double p[3]) {
+  const double *q = info.orientation, w = q[0], x = q[1], y = q[2], z = q[3];
+  return {info.position[0] + (1 - 2 * (y * y + z * z)) * p[0] + 2 * (x * y - w * z) * p[1] +
+              2 * (x * z + w * y) * p[2],
+          info.position[1] + 2 * (x * y + w * z) * p[0] + (1 - 2 * (x * x + z * z)) * p[1] +
+              2 * (y * z - w * x) * p[2],
+          info.position[2] + 2 * (x * z - w * y) * p[0] + 2 * (y * z + w * x) * p[1] +
+              (1 - 2 * (x * x + y * y)) * p[2]};
+}
+
+// Lets the first sheet fall upon the edge of a fixed one.
+void fall_onto_an_edge(World& world) {
+  BodyDesc edge;
+  edge.is_fixed = true;
+  edge.position = {0.2, -1.2, 0};
+  edge.orientation = {0.5, 0.5, 0.5, 0.5};
+  world.add(sheet(2), edge);
+  world.simulate(1);
+}
+
+TEST(Bodies, parts_that_a_hinge_holds_turn_on_it) {
+  World world;
+  const BodyId body = world.add(two_sheets());
+  const kerf_joint joint = hinge_between_sheets();
+  world.join(body, joint);
+  fall_onto_an_edge(world);
+  ASSERT_EQ(world.bodies().size(), 3u);
+  std::vector<kerf_body_info> parts;
+  for (const BodyId id : world.bodies())
+    if (world.info(id).is_fixed == 0) parts.push_back(world.info(id));
+  ASSERT_EQ(parts.size(), 2u);
+  double apart = 0, turned = 0;
+  const auto first = moved(parts[0], joint.anchor), second = moved(parts[1], joint.anchor);
+  for (size_t k = 0; k < 3; ++k) apart = std::max(apart, std::abs(first[k] - second[k]));
+  for (size_t k = 0; k < 4; ++k) turned += parts[0].orientation[k] * parts[1].orientation[k];
+  EXPECT_LT(first[1], -0.3);
+  EXPECT_LT(apart, 0.01);
+  EXPECT_LT(std::abs(turned), 0.999);  // cosine of half of the angle between them
+}
+
+TEST(Bodies, parts_that_a_weld_or_no_joint_holds_move_as_one) {
+  for (const bool welded : {false, true}) {
+    World world;
+    const BodyId body = world.add(two_sheets());
+    kerf_joint joint = hinge_between_sheets();
+    joint.kind = KERF_JOINT_WELD;
+    if (welded) world.join(body, joint);
+    fall_onto_an_edge(world);
+    EXPECT_EQ(world.bodies().size(), 2u);
+  }
+}
+
+TEST(Bodies, a_joint_can_be_undone_and_is_kept_in_a_journal) {
+  World world;
+  const BodyId body = world.add(two_sheets());
+  world.join(body, hinge_between_sheets());
+  EXPECT_TRUE(world.undo());
+  fall_onto_an_edge(world);
+  EXPECT_EQ(world.bodies().size(), 2u);
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(world.undo());
+  world.join(body, hinge_between_sheets());
+  fall_onto_an_edge(world);
+  EXPECT_EQ(world.bodies().size(), 3u);
+  const std::string file = testing::TempDir() + "kerf-joint.kerf";
+  world.save_journal(file);
+  EXPECT_EQ(World(file).hash(), world.hash());
+}
+
+TEST(Bodies, reject_joints_that_cannot_be_made) {
+  World world;
+  const BodyId body = world.add(two_sheets());
+  const std::string before = world.hash();
+  const auto rejects = [&](auto change) {
+    kerf_joint joint = hinge_between_sheets();
+    change(joint);
+    EXPECT_THROW(world.join(body, joint), InvalidArgument);
+  };
+  rejects([](kerf_joint& j) { j.anchor[0] = NAN; });
+  rejects([](kerf_joint& j) { j.anchor[0] = 1000; });
+  rejects([](kerf_joint& j) { j.axis[2] = 0; });
+  rejects([](kerf_joint& j) { j.radius = 0; });
+  rejects([](kerf_joint& j) { j.radius = 1e-3, j.part_a[1] = 1; });
+  rejects([](kerf_joint& j) { j.part_a[0] = 0; });  // both points are of one part
+  rejects([](kerf_joint& j) { j.has_limits = 1, j.limits[0] = 1; });
+  rejects([](kerf_joint& j) { j.kind = KERF_JOINT_HUB, j.has_limits = 1; });
+  rejects([](kerf_joint& j) { j.size = 4; });
+  EXPECT_THROW(world.join(body + 1, hinge_between_sheets()), InvalidArgument);
+  EXPECT_EQ(world.hash(), before);
+  world.cut(through_the_middle());
+  rejects([](kerf_joint&) {});
 }
 
 TEST(Bodies, keep_pose_and_faces_in_a_saved_scene) {

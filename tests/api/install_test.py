@@ -39,7 +39,8 @@ def check_files(prefix):
                  'share/icons/hicolor/scalable/apps/kerf.svg', 'share/mime/packages/kerf.xml',
                  'share/bash-completion/completions/kerf',
                  'share/zsh/vendor-completions/_kerf', 'share/fish/vendor_completions.d/kerf.fish',
-                 'share/metainfo/kerf.metainfo.xml', 'share/thumbnailers/kerf.thumbnailer', 'lib/pkgconfig/kerf.pc', 'include/kerf/kerf.h', 'include/kerf/kerf_c.h'):
+                 'share/metainfo/kerf.metainfo.xml', 'share/thumbnailers/kerf.thumbnailer', 'lib/pkgconfig/kerf.pc', 'include/kerf/kerf.h', 'include/kerf/kerf_c.h',
+                 'include/kerf/kerf_c_mesh.h'):
         assert os.path.isfile(os.path.join(prefix, path)), f'{path} is not installed'
     assert not os.path.exists(os.path.join(prefix, 'share/kerf/pictures'))
 

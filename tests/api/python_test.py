@@ -279,6 +279,21 @@ class Module(unittest.TestCase):
         self.assertTrue(self.world.undo())
         self.assertEqual(self.world.info(body).position.tolist(), [0, 0, 0])
 
+    def test_parts_that_a_hinge_holds_become_bodies_that_fall_together(self):
+        square = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)], float)
+        mesh = kerf.Mesh(np.vstack([square, square + (1.1, 0, 0)]), [(0, 2, 1), (0, 3, 2), (4, 6, 5), (4, 7, 6)])
+        world = kerf.World()
+        body = world.add(mesh)
+        for wrong in ({'kind': 'glue'}, {'axis': (0, 0, 0)}, {'limits': (5, 10)}, {'radius': -1}):
+            with self.assertRaises(ValueError):
+                world.join(**{'body': body, 'kind': 'hinge', 'part_a': (1.1, 0, 0), 'part_b': (1, 0, 0),
+                              'anchor': (1.05, 0, 0), **wrong})
+        world.join(body, 'hinge', (1.1, 0, 0), (1, 0, 0), anchor=(1.05, 0, 0), axis=(0, 0, 1), limits=(-90, 90))
+        world.simulate(0.25)
+        first, second = (world.info(own) for own in world.bodies)
+        np.testing.assert_allclose(first.position, second.position, atol=1e-3)
+        self.assertLess(first.position[1], -0.2)
+
     def test_a_stroke_in_steps_equals_a_cut(self):
         whole = slot(self.mesh)
         self.world.cut(whole, rim='smooth')

@@ -65,7 +65,7 @@ SOURCE = re.compile(r'\.(h|hh|hpp|hxx|inl|ipp|c|cc|cpp|cxx)$')
 INCLUDE = re.compile(r'\s*#\s*include(?:_next)?\b\s*(.*)')
 TARGET = re.compile(r'"([^"]+)"|<([^>]+)>')
 # Public headers are installed as it lies: the standard library and each other alone.
-PUBLIC_HEADERS = {'core/kerf.h', 'core/kerf_c.h'}
+PUBLIC_HEADERS = {'core/kerf.h', 'core/kerf_c.h', 'core/kerf_c_mesh.h'}
 PUBLIC_HEADER_USERS = ('core/api/', 'app/python/', 'app/examples/', 'tests/api/', 'tests/fuzz/library/')
 # Private headers: for their own folder, its tests, and the benchmarks, fuzzers and references of the tests.
 INTERNAL = re.compile(r'(core|ui|app)/.*_internal\.h$')

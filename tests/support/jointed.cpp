@@ -23,11 +23,11 @@ Soup assembled(std::span<const NamedSheet> sheets) {
   return all;
 }
 
-World jointed_world(std::span<const NamedSheet> sheets, std::span<const SceneJoint> joints) {
+World jointed_world(std::span<const NamedSheet> sheets, std::span<const JointDescription> joints) {
   World world;
   const BodyId id = world.add(make_body("assembly", build(assembled(sheets))));
   Joints all;
-  for (const SceneJoint& joint : joints) {
+  for (const JointDescription& joint : joints) {
     auto made = make_joint(joint, id, world.body(id));
     EXPECT_TRUE(made.ok()) << made.error().message;
     all.all.push_back(std::move(*made));

@@ -21,7 +21,7 @@ struct NamedSheet {
 Soup assembled(std::span<const NamedSheet> sheets);
 
 // A world of one body of these parts with these joints. The joints must fit.
-World jointed_world(std::span<const NamedSheet> sheets, std::span<const SceneJoint> joints);
+World jointed_world(std::span<const NamedSheet> sheets, std::span<const JointDescription> joints);
 
 // Makes every piece that moves on its own a body: what joints hold only movably, and what was cut off.
 // Returns the bodies in the order of their ids.

@@ -152,6 +152,17 @@ struct Bits {
     bits.push_back(c.max_faces);
     for (const BodyId id : c.bodies) bits.insert(bits.end(), {id.slot, id.generation});
   }
+  void operator()(const JoinParts& c) {
+    put(bits, c.piece);
+    const JointDescription& joint = c.joint;
+    bits.push_back(static_cast<uint64_t>(joint.kind));
+    for (const std::string& part : joint.parts) put(bits, part);
+    put(bits, joint.anchor);
+    put(bits, joint.axis);
+    const Interval limits = joint.limits.value_or(Interval{-1, -1});
+    for (const double x : {limits.low, limits.high, joint.radius.value_or(0)}) put(bits, x);
+    for (const Vec3& point : joint.near.value_or(std::array<Vec3, 2>{})) put(bits, point);
+  }
   void operator()(const SetEnvironment& c) {
     put(bits, c.around.gravity);
     bits.push_back(c.around.ground.has_value());
@@ -222,11 +233,28 @@ CutSettings random_settings(Random& random) {
   return s;
 }
 
+// A weld has no axis, and only a hinge has limits.
+JoinParts random_joint(Random& random) {
+  JoinParts join{random_piece(random), {}};
+  join.joint.kind = static_cast<Joint::Kind>(random.below(3));
+  join.joint.anchor = random_point(random);
+  if (join.joint.kind != Joint::Kind::kWeld) join.joint.axis = random_direction(random);
+  if (join.joint.kind == Joint::Kind::kHinge) join.joint.limits = Interval{-random.uniform(0, 180), 9};
+  if (random.below(2) > 0) join.joint.radius = random_positive(random);
+  if (random.below(2) > 0) {
+    join.joint.parts = {"door", random_name(random)};
+  } else {
+    join.joint.near.emplace();
+    for (Vec3& point : *join.joint.near) point = random_point(random);
+  }
+  return join;
+}
+
 Command random_command(Random& random, const BeamAt& beam) {
   Vec3 direction = random_direction(random);
   if (glm::length(direction + beam.pose.direction) < 1e-3) direction = beam.pose.direction;
   const Pose pose{random_point(random), direction};
-  switch (random.below(27)) {
+  switch (random.below(28)) {
     case 0:
       return BeginStroke{random_settings(random), pose};
     case 1:
@@ -289,6 +317,8 @@ Command random_command(Random& random, const BeamAt& beam) {
       const CutSettings settings = random_settings(random);
       return CutPath{{{beam.pose, pose}, settings.laser.range}, settings.bodies, settings.max_faces};
     }
+    case 26:
+      return random_joint(random);
     default:
       return MoveBeam{pose, random.below(3) == 0 ? beam.time : beam.time + random.unit()};
   }

@@ -71,6 +71,9 @@ class Mesh:
     def material_names(self) -> list[str]:
         """Names of materials by index, some empty."""
     @property
+    def parts(self) -> list[tuple[str, int, int]]:
+        """Parts that the file names: (name, first face, number of faces); ranges may overlap."""
+    @property
     def area(self) -> float:
         """Area, m^2."""
     @property
@@ -310,6 +313,18 @@ class World:
     def set_fixed(self, body: int, piece: int, is_fixed: bool) -> int: ...
     def rename(self, body: int, piece: int, name: str) -> None: ...
     def remove(self, body: int, piece: int) -> None: ...
+    def join(
+        self,
+        body: int,
+        kind: Literal["weld", "hinge", "hub"],
+        part_a: npt.ArrayLike,
+        part_b: npt.ArrayLike,
+        *,
+        anchor: npt.ArrayLike,
+        axis: npt.ArrayLike | None = None,
+        limits: tuple[float, float] | None = None,
+        radius: float | None = None,
+    ) -> None: ...
     def set_environment(
         self, gravity: npt.ArrayLike | None = None, ground: float | None = None
     ) -> None: ...

@@ -117,8 +117,8 @@ std::optional<SightHit> Sight::nearest(const Pose& ray, double length, const Sto
   return first;
 }
 
-Status add_joints(std::span<const SceneJoint> joints, ModelBody& model) {
-  for (const SceneJoint& joint : joints) {
+Status add_joints(std::span<const JointDescription> joints, ModelBody& model) {
+  for (const JointDescription& joint : joints) {
     auto made = make_joint(joint, BodyId{}, model.body);
     if (!made) return made.error();
     model.joints.push_back(std::move(*made));

@@ -58,7 +58,7 @@ struct ModelBody {
 };
 
 // Fails like make_joint.
-Status add_joints(std::span<const SceneJoint> joints, ModelBody& model);
+Status add_joints(std::span<const JointDescription> joints, ModelBody& model);
 
 BodyId add_body(World& world, const ModelBody& model, uint32_t generation);
 

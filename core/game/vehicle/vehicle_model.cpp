@@ -102,7 +102,7 @@ class ModelLoader {
   // Assigns each joint to the body that has both of its parts. Skips those between two bodies: the rules of
   // damage hold the parts that the chassis carries.
   Status share_out_joints() {
-    for (const SceneJoint& joint : what().body.joints) {
+    for (const JointDescription& joint : what().body.joints) {
       for (VehicleBody* body : bodies_) {
         if (!has_group(body->body, joint.parts[0]) || !has_group(body->body, joint.parts[1])) continue;
         if (const Status added = add_joints({&joint, 1}, *body); !added) return wrong(added.error().message);
@@ -112,7 +112,7 @@ class ModelLoader {
     return Done{};
   }
 
-  bool may_break(const SceneJoint& joint) const {
+  bool may_break(const JointDescription& joint) const {
     const auto is_kept = [&](const std::string& group) {
       const auto is_vital = [&](const VitalDescription& v) { return is_of_part(group, v.part); };
       const auto is_mount = [&](const WheelDescription& w) { return is_of_part(group, w.mount); };

@@ -12,7 +12,7 @@ namespace {
 World welded_sheets() {
   const std::vector<test::NamedSheet> sheets{{"sheet", test::rectangle(1, 0.4, 20)},
                                              {"small", test::rectangle(0.06, 0.06, 2), {0.3, 0.02, 0}}};
-  SceneJoint weld;
+  JointDescription weld;
   weld.parts = {"small", "sheet"};
   weld.anchor = {0.3, 0.02, 0};
   weld.radius = 0.05;

@@ -293,7 +293,7 @@ TEST(PrepareCommands, spread_no_trace_of_heat_to_cold_faces) {
 
 // A sheet and a door beside it, which a hinge holds at their common edge.
 World door() {
-  SceneJoint hinge;
+  JointDescription hinge;
   hinge.kind = Joint::Kind::kHinge;
   hinge.parts = {"door", "frame"};
   hinge.anchor = {0.5, 0, 0};

@@ -48,6 +48,8 @@ constexpr const char* kCommands[] = {
     R"({"do":"cut-plane","normal":[0.0,1.0,-0.5],"distance":0.25})",
     R"({"do":"cut-plane","normal":[5e-324,-0.0,3.0],"distance":-1e+29,"bodies":[[1,0],[4,2]],"most-faces":5000})",
     R"({"do":"cut-path","poses":[{"origin":[0.0,1.0,0.5],"direction":[0.0,-1.0,0.0]},{"origin":[0.25,1.0,0.5],"direction":[0.0,-1.0,0.0]}],"range":[0.0,2.0]})",
+    R"({"do":"join-parts","piece":[3,1,0],"joint":{"kind":"hinge","parts":["door","frame"],"anchor":[0.0,1.0,0.5],"axis":[0.0,2.0,0.0],"limits":[-90.0,5e-324],"near":[[0.0,1.0,0.5],[1e-300,1.0,0.5]],"radius":0.25}})",
+    R"({"do":"join-parts","piece":[3,1,0],"joint":{"kind":"weld","anchor":[0.0,1.0,0.5],"near":[[0.0,1.0,0.5],[0.25,1.0,0.5]]}})",
     R"({"do":"set-environment","gravity":[0.0,-9.81,0.0]})",
     R"({"do":"set-environment","gravity":[0.0,-9810.0,0.0],"ground":-0.25,"metre":1000.0})",
     R"({"do":"undo"})",

@@ -30,7 +30,7 @@ constexpr const char* kHinge =
     R"("joints": [{"kind": "hinge", "parts": ["door", "painted"], "anchor": [0, 0, 0.5], "axis": [0, 2, 0],
        "limits": [-10, 90]}])";
 
-TEST(SceneJoints, thickness_and_density_of_a_body_round_trip) {
+TEST(JointDescriptions, thickness_and_density_of_a_body_round_trip) {
   const auto scene = described(R"("thickness": 0.0008, "density": 2700)");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   EXPECT_EQ(scene->bodies[0].sheet, (Sheet{0.0008, 2700, {}}));
@@ -40,12 +40,12 @@ TEST(SceneJoints, thickness_and_density_of_a_body_round_trip) {
   EXPECT_EQ(loaded(R"("thickness": 0.003)")->world.body({0, 0}).sheet, (Sheet{0.003, Sheet{}.density, {}}));
 }
 
-TEST(SceneJoints, omits_default_thickness_and_joints_when_written) {
+TEST(JointDescriptions, omits_default_thickness_and_joints_when_written) {
   const nlohmann::ordered_json written = scene_json(*described(R"("name": "a")"), "folder");
   for (const char* key : {"thickness", "density", "joints"}) EXPECT_FALSE(written["bodies"][0].contains(key));
 }
 
-TEST(SceneJoints, joints_round_trip) {
+TEST(JointDescriptions, joints_round_trip) {
   const std::string text =
       R"("joints": [{"kind": "weld", "parts": ["a", "b"], "anchor": [1, 2, 3], "near": [[0, 0, 0], [1, 1, 1]],
          "radius": 0.5},
@@ -58,7 +58,7 @@ TEST(SceneJoints, joints_round_trip) {
             nlohmann::json::parse("{" + text + "}")["joints"]);
 }
 
-TEST(SceneJoints, errors_name_the_invalid_value) {
+TEST(JointDescriptions, errors_name_the_invalid_value) {
   const std::pair<const char*, const char*> bad[]{
       {R"("thickness": 0)", "/bodies/0/thickness: must be greater than zero"},
       {R"("thickness": 1e300)", "/bodies/0/thickness: must be from"},
@@ -90,7 +90,7 @@ TEST(SceneJoints, errors_name_the_invalid_value) {
   }
 }
 
-TEST(SceneJoints, parts_are_objects_and_groups_of_the_mesh) {
+TEST(JointDescriptions, parts_are_objects_and_groups_of_the_mesh) {
   const auto scene = loaded(kHinge);
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   ASSERT_EQ(scene->world.joints().all.size(), 1u);
@@ -104,7 +104,7 @@ TEST(SceneJoints, parts_are_objects_and_groups_of_the_mesh) {
   EXPECT_NEAR(joint.limits->high, 1.5707963267948966, 1e-15);
 }
 
-TEST(SceneJoints, the_length_of_an_axis_is_ignored) {
+TEST(JointDescriptions, the_length_of_an_axis_is_ignored) {
   for (const char* axis : {"[0, 1e-300, 0]", "[0, 1e300, 0]"}) {
     const auto scene = loaded(std::string(R"("joints": [{"kind": "hub", "parts": ["door", "frame"],
       "anchor": [0, 0, 0], "axis": )") +
@@ -115,7 +115,7 @@ TEST(SceneJoints, the_length_of_an_axis_is_ignored) {
 }
 
 // A strip of two triangles that hang together and a third one above them, and a post.
-TEST(SceneJoints, connected_faces_around_the_nearest_one_carry_a_joint) {
+TEST(JointDescriptions, connected_faces_around_the_nearest_one_carry_a_joint) {
   constexpr const char* kStrip =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 5 0 0\nv 6 0 0\nv 5 1 0\n"
       "o strip\nf 1 2 3\nf 2 4 3\nf 5 6 7\no post\nf 8 9 10\n";
@@ -137,7 +137,7 @@ TEST(SceneJoints, connected_faces_around_the_nearest_one_carry_a_joint) {
   }
 }
 
-TEST(SceneJoints, a_joint_that_does_not_fit_the_mesh_is_an_error) {
+TEST(JointDescriptions, a_joint_that_does_not_fit_the_mesh_is_an_error) {
   const std::pair<const char*, const char*> bad[]{
       {R"({"kind": "weld", "parts": ["door", "roof"], "anchor": [0,0,0]})", "no part named \"roof\""},
       {R"({"kind": "weld", "parts": ["door", "frame"], "anchor": [0,0,0.5], "radius": 0.4})",

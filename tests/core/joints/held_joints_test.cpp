@@ -17,7 +17,7 @@ namespace {
 class DoorOnHinge : public testing::Test {
  protected:
   DoorOnHinge() {
-    SceneJoint hinge;
+    JointDescription hinge;
     hinge.kind = Joint::Kind::kHinge;
     hinge.parts = {"door", "frame"};
     hinge.anchor = {0.55, 0, 0};

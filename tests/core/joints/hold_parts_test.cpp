@@ -16,8 +16,8 @@ namespace {
 
 using test::NamedSheet;
 
-SceneJoint weld(std::string a, std::string b, const Vec3& anchor, std::optional<double> radius = {}) {
-  SceneJoint joint;
+JointDescription weld(std::string a, std::string b, const Vec3& anchor, std::optional<double> radius = {}) {
+  JointDescription joint;
   joint.parts = {std::move(a), std::move(b)};
   joint.anchor = anchor;
   joint.radius = radius;
@@ -36,9 +36,9 @@ World car_of_sheets() {
                                        {"glass", test::rectangle(0.04, 0.04, 1), {0.3, 0.04, 0}},
                                        {"handle", small, {-0.3, 0.02, 0}},
                                        {"badge", small, {0, 0.02, 0.1}}};
-  const std::vector<SceneJoint> welds{weld("shell", "sheet", {0.3, 0.02, 0}, 0.05),
-                                      weld("glass", "shell", {0.3, 0.04, 0}),
-                                      weld("handle", "sheet", {-0.3, 0.02, 0}, 0.05)};
+  const std::vector<JointDescription> welds{weld("shell", "sheet", {0.3, 0.02, 0}, 0.05),
+                                            weld("glass", "shell", {0.3, 0.04, 0}),
+                                            weld("handle", "sheet", {-0.3, 0.02, 0}, 0.05)};
   return test::jointed_world(sheets, welds);
 }
 
@@ -178,9 +178,9 @@ TEST(SeparateByJoints, the_rest_of_a_part_stays_separate_from_pieces_cut_off_it)
   const std::vector<NamedSheet> sheets{{"sheet", test::rectangle(1, 0.4, 20)},
                                        {"bar", test::rectangle(0.8, 0.04, 20), {0, 0.02, 0}},
                                        {"rail", test::rectangle(0.7, 0.02, 20), {0, 0.04, 0}}};
-  const std::vector<SceneJoint> welds{weld("bar", "sheet", {-0.15, 0.02, 0}, 0.03),
-                                      weld("rail", "bar", {-0.3, 0.04, 0}, 0.03),
-                                      weld("rail", "bar", {0.3, 0.04, 0}, 0.03)};
+  const std::vector<JointDescription> welds{weld("bar", "sheet", {-0.15, 0.02, 0}, 0.03),
+                                            weld("rail", "bar", {-0.3, 0.04, 0}, 0.03),
+                                            weld("rail", "bar", {0.3, 0.04, 0}, 0.03)};
   World world = test::jointed_world(sheets, welds);
   ASSERT_EQ(held_joints(world).size(), 3u);
   cut_between(world, 0.05, 0.03, 0.01, 0.004);  // the bar alone

@@ -29,7 +29,7 @@ World door_world(double height, std::optional<Interval> limits) {
   const std::vector<NamedSheet> sheets{
       {"frame", test::rectangle(2, 0.6, 4), {0, 0.31, 0}, kUpright},
       {"door", test::rectangle(0.8, height, 4), {0, -0.01 - 0.5 * height, 0}, kUpright}};
-  SceneJoint hinge;
+  JointDescription hinge;
   hinge.kind = Joint::Kind::kHinge;
   hinge.parts = {"door", "frame"};
   hinge.axis = {1, 0, 0};
@@ -108,7 +108,7 @@ TEST(Joints, a_weld_keeps_two_falling_bodies_together) {
   {
     const std::vector<NamedSheet> sheets{{"plate", test::rectangle(0.5, 0.5, 4)},
                                          {"flag", test::rectangle(0.2, 0.2, 2), {0, 0.12, 0}, kUpright}};
-    SceneJoint hinge;
+    JointDescription hinge;
     hinge.kind = Joint::Kind::kHinge;
     hinge.parts = {"flag", "plate"};
     world = test::jointed_world(sheets, {&hinge, 1});
@@ -135,12 +135,12 @@ TEST(Joints, a_weld_keeps_two_falling_bodies_together) {
 // A cart on four wheels of 48 sides, whose hubs lie along x.
 World cart() {
   std::vector<NamedSheet> sheets{{"cart", test::closed_box({0.6, 0.2, 1.2}), {0, 0.35, 0}}};
-  std::vector<SceneJoint> hubs;
+  std::vector<JointDescription> hubs;
   const glm::dquat along_x(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   for (int i = 0; i < 4; ++i) {
     const Vec3 at(i & 1 ? 0.4 : -0.4, 0.201, i & 2 ? 0.4 : -0.4);
     sheets.push_back({"wheel" + std::to_string(i), test::rod(0.2, 0.1, 48), at, along_x});
-    SceneJoint hub;
+    JointDescription hub;
     hub.kind = Joint::Kind::kHub;
     hub.parts = {sheets.back().name, "cart"};
     hub.anchor = at;
@@ -200,7 +200,7 @@ void play(Document& document, double seconds) {
 Document door_on_two_hinges() {
   const std::vector<NamedSheet> sheets{{"frame", test::rectangle(2, 0.6, 20), {0, 0.31, 0}, kUpright},
                                        {"door", test::rectangle(0.8, 0.5, 10), {0, -0.26, 0}, kUpright}};
-  std::vector<SceneJoint> hinges(2);
+  std::vector<JointDescription> hinges(2);
   for (size_t i = 0; i < 2; ++i) {
     hinges[i].kind = Joint::Kind::kHinge;
     hinges[i].parts = {"door", "frame"};

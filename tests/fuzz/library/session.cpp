@@ -500,7 +500,7 @@ void Session::edit() {
   const double position[] = {bytes_.between(-5, 5), chance(16) ? nowhere : 0, 0};
   const double turned[] = {0, 1, 0, 0}, orientation[] = {chance(16) ? number() : 1, 0, 0, 0};
   const double thickness = chance(4) ? number() : 0.001, density = chance(4) ? number() : 0;
-  const size_t kind = bytes_.below(7);
+  const size_t kind = bytes_.below(8);
   const kerf_result result = change(in, [&] {
     switch (kind) {
       case 0:
@@ -514,6 +514,8 @@ void Session::edit() {
       case 4:
         return kerf_piece_set_fixed(in, of, piece, flag, to);
       case 5:
+        return join(in, of);
+      case 6:
         return kerf_piece_rename(in, of, piece, flag ? "name" : "\xff");
       default:
         return chance(2) ? kerf_piece_remove(in, of, piece) : KERF_OK;
@@ -525,6 +527,19 @@ void Session::edit() {
   kerf_mesh* edited = nullptr;
   require(kerf_piece_get_mesh(in, now, piece, &edited) == KERF_OK, "an edit that changes the label");
   keep(edited);
+}
+
+kerf_result Session::join(kerf_world* in, kerf_body of) {
+  kerf_joint joint = KERF_JOINT_INIT;
+  const int kind = static_cast<int>(bytes_.below(4));
+  std::memcpy(&joint.kind, &kind, sizeof kind);
+  joint.has_limits = chance(4);
+  for (double* member : {&joint.part_a[0], &joint.part_b[1], &joint.anchor[2], &joint.axis[0]})
+    *member = chance(16) ? number() : bytes_.between(-2, 2);
+  joint.limits[0] = bytes_.between(-190, 5);
+  if (chance(4)) joint.radius = number();
+  if (chance(16)) joint.size = bytes_.below(99);
+  return kerf_body_join(in, of, or_null(&joint));
 }
 
 // Undo, redo and time.

@@ -44,6 +44,7 @@ class Session {
   void cut_in_steps();
   void convert_mesh();
   void edit();
+  kerf_result join(kerf_world* in, kerf_body of);
   void travel();
   void take_changes();
   void take_pieces();

@@ -85,6 +85,7 @@ struct CommandLabel {
   std::string operator()(const TurnShells&) const { return "Turn inner shells of " + piece; }
   std::string operator()(const CutPlane&) const { return "Cut along a plane"; }
   std::string operator()(const CutPath&) const { return "Cut with the knife"; }
+  std::string operator()(const JoinParts&) const { return "Join parts of " + piece; }
   std::string operator()(const SetEnvironment&) const { return "Set gravity and ground"; }
   std::string operator()(const Undo&) const { return "Undo"; }
   std::string operator()(const Redo&) const { return "Redo"; }

@@ -43,7 +43,7 @@ TEST_F(ArenaOfPlates, pins_fixed_bodies_and_puts_cuttable_ones_to_sleep) {
 }
 
 TEST_F(ArenaOfPlates, names_a_mesh_that_is_missing_or_does_not_fit_a_joint) {
-  SceneJoint joint;
+  JointDescription joint;
   joint.parts = {"door", "frame"};
   described_.bodies[1].body.joints = {joint};
   const auto without_parts = load_arena(described_);

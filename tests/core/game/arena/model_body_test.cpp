@@ -18,8 +18,8 @@ ModelBody door_in_frame() {
   return {make_body("gate", test::build(test::assembled(sheets))), {}};
 }
 
-SceneJoint hinge() {
-  SceneJoint joint;
+JointDescription hinge() {
+  JointDescription joint;
   joint.kind = Joint::Kind::kHinge;
   joint.parts = {"door", "frame"};
   joint.anchor = {0.55, 0, 0};
@@ -43,7 +43,7 @@ TEST(ModelBody, adds_its_joints_to_each_world_it_is_added_to) {
 
 TEST(ModelBody, rejects_a_joint_of_a_missing_part) {
   ModelBody model = door_in_frame();
-  SceneJoint wrong = hinge();
+  JointDescription wrong = hinge();
   wrong.parts[1] = "wall";
   const Status added = add_joints(std::array{wrong}, model);
   ASSERT_FALSE(added);

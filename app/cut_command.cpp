@@ -290,6 +290,9 @@ class CutRun {
           return met;
         },
         job_.notes);
+    if (job_.solid.missing_pegs > 0)
+      job_.notes.push_back("--pegs: there is room for " + std::to_string(job_.solid.pegs) + " of " +
+                           count_text(job_.solid.pegs + job_.solid.missing_pegs, "peg"));
     return cut ? cut : error_or_stopped(cut.error());
   }
 

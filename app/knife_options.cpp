@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "app/arguments.h"
+#include "core/document/cut_report.h"
 
 namespace kerf {
 
@@ -58,6 +59,25 @@ class SectionAreas {
   std::map<std::array<int64_t, 4>, Vec3> areas_;  // m^2, along the normals
 };
 
+// Parses "COUNT,DIAMETER,DEPTH,TOLERANCE".
+Result<Pegs> parse_pegs(const std::string& text) {
+  const Error wrong = bad_input(
+      "--pegs: must be COUNT,DIAMETER,DEPTH,TOLERANCE: a number of pegs from 1 to " +
+      std::to_string(Pegs::kMaxCount) + ", two positive lengths and one that is not negative, in metres");
+  std::array<double, 4> numbers{};
+  std::string_view rest = text;
+  for (double& number : numbers) {
+    const size_t comma = &number == &numbers.back() ? rest.size() : rest.find(',');
+    if (comma == std::string_view::npos || !parse_number(rest.substr(0, comma), number)) return wrong;
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  const auto [count, diameter, depth, tolerance] = numbers;
+  if (!(count >= 1 && count <= Pegs::kMaxCount) || count != std::floor(count) || !(diameter > 0) ||
+      !(depth > 0) || !(tolerance >= 0))
+    return wrong;
+  return Pegs{static_cast<int>(count), diameter, depth, tolerance};
+}
+
 // Returns the shortest rotation from a unit vector to -z.
 glm::dquat turn_down(const Vec3& from) {
   const Vec3 down(0, 0, -1);
@@ -92,6 +112,10 @@ void KnifeOptions::add_to(CLI::App& command) {
   command.add_option("--fit-bed", bed_text_,
                      "W,D,H: then cut bodies along planes into pieces of at most this size along x, y and z, "
                      "in metres");
+  command.add_option(
+      "--pegs", pegs_text_,
+      "COUNT,DIAMETER,DEPTH,TOLERANCE: join both sides of each cut of a solid by pegs and holes, "
+      "in metres");
   command.add_flag("--lay-flat", lay_flat_,
                    "Lay each piece with its largest cut face on z = 0, in a row along x");
 }
@@ -100,21 +124,30 @@ Status KnifeOptions::read() {
   for (const std::string& text : plane_texts_) {
     if (const Status s = unpack(parse_plane(text), planes_.emplace_back()); !s) return s;
   }
+  if (pegs_text_) {
+    if (const Status s = unpack(parse_pegs(*pegs_text_), pegs_); !s) return s;
+    if (planes_.empty() && !bed_text_) return bad_input("--pegs: requires --plane or --fit-bed");
+  }
   if (!bed_text_) return Done{};
   const Result<Vec3> bed = parse_point("--fit-bed", *bed_text_);
   if (!bed || std::min({bed->x, bed->y, bed->z}) <= 0)
     return bad_input("--fit-bed: must be three positive numbers, W,D,H in metres");
-  bed_ = *bed;
+  // Pegs stand out of the pieces.
+  bed_ = *bed - Vec3(pegs_.count > 0 ? pegs_.depth : 0);
+  if (std::min({bed_->x, bed_->y, bed_->z}) <= 0)
+    return bad_input("--pegs: the pegs are as long as the bed of --fit-bed; use shorter ones");
   return Done{};
 }
 
 Status KnifeOptions::cut(const World& world, const std::function<Result<bool>(const Command&)>& run,
                          std::vector<std::string>& notes) const {
   for (size_t i = 0; i < planes_.size(); ++i) {
-    const Result<bool> met = run(CutPlane{planes_[i]});
+    const Result<bool> met = run(CutPlane{.plane = planes_[i], .pegs = pegs_});
     if (!met) return met.error();
     if (!*met) notes.push_back("--plane " + plane_texts_[i] + ": the plane crosses no mesh");
   }
+  if (pegs_.count > 0 && !any_is_solid(world))
+    notes.push_back("--pegs: only solids get pegs; add --solid for closed meshes");
   if (!bed_) return Done{};
   const std::vector<BodyId> ids = world.ids();
   for (const BodyId id : ids) {
@@ -122,7 +155,8 @@ Status KnifeOptions::cut(const World& world, const std::function<Result<bool>(co
     const auto planes = bed_planes(bounds_of(world.body(id)), *bed_);
     if (!planes) return planes.error();
     for (const KnifePlane& plane : *planes) {
-      if (const Result<bool> met = run(CutPlane{plane, {id}}); !met) return met.error();
+      if (const Result<bool> met = run(CutPlane{.plane = plane, .bodies = {id}, .pegs = pegs_}); !met)
+        return met.error();
     }
   }
   return Done{};

@@ -33,9 +33,10 @@ class KnifeOptions {
 
  private:
   std::vector<std::string> plane_texts_;
-  std::optional<std::string> bed_text_;
+  std::optional<std::string> bed_text_, pegs_text_;
   bool lay_flat_ = false;
   std::vector<KnifePlane> planes_;
+  Pegs pegs_;
   std::optional<Vec3> bed_;  // m
 };
 

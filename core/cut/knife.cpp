@@ -59,37 +59,67 @@ struct KnifeSides {
 
 class KnifeCut {
  public:
-  KnifeCut(BodyStep& step, const WallPlane& plane) : step_(step), plane_(plane) { sort_vertices(); }
+  KnifeCut(BodyStep& step, const WallPlane& plane, const Pegs& pegs)
+      : step_(step), plane_(plane), pegs_(pegs) {
+    sort_vertices();
+  }
 
   // Number of faces that the plane crosses.
   size_t crossed() const { return crossed_.size(); }
 
-  void run(std::vector<LeftOpen>& left_open) {
+  void run(std::vector<LeftOpen>& left_open, SolidChange& solid) {
     split();
     update_tree(step_);
     const KnifeSides sides = find_sides();
     if (sides.above.empty()) return;
     step_.edit.open_edges(sides.above);
     std::vector<FaceId> seeds;
-    std::vector<std::string> open = close(sides.above, -1.0, seeds);
-    const std::vector<std::string> open_below = close(sides.below, 1.0, seeds);
-    if (open.empty()) open = open_below;
+    auto [above, below] = sections(sides, seeds, solid);
+    for (const Section* section : {&above, &below}) {
+      for (const SectionWalls& walls : section->walls) add_section(step_, walls);
+      seeds.insert(seeds.end(), section->seeds.begin(), section->seeds.end());
+    }
+    std::vector<std::string>& open = above.left_open.empty() ? below.left_open : above.left_open;
     for (std::string& why : open) left_open.push_back({step_.id, std::move(why)});
     step_.edit.refit_tree();
     step_.edit.search_from(seeds);
   }
 
  private:
-  // Closes the part of a solid on one side of the plane. `outward` is 1 if the normal points out of it, else
-  // -1. Returns why its section stays open.
-  std::vector<std::string> close(std::span<const Mesh::Side> sides, double outward,
-                                 std::vector<FaceId>& seeds) {
-    const std::vector<RimSide> rim = open_sides(mesh(), sides, seeds);
-    const WallPlane plane{outward * plane_.normal, outward * plane_.distance};
-    Section section = make_section(mesh(), rim, plane, step_.body().solid);
-    for (const SectionWalls& walls : section.walls) add_section(step_, walls);
-    seeds.insert(seeds.end(), section.seeds.begin(), section.seeds.end());
-    return std::move(section.left_open);
+  // Makes the walls of both sides of the plane, above and below, with pegs if both sides have room for them.
+  std::pair<Section, Section> sections(const KnifeSides& sides, std::vector<FaceId>& seeds,
+                                       SolidChange& solid) {
+    const std::vector<RimSide> above = open_sides(mesh(), sides.above, seeds),
+                               below = open_sides(mesh(), sides.below, seeds);
+    const WallPlane down{-plane_.normal, -plane_.distance};
+    const bool closes = step_.body().solid;
+    const std::vector<Vec3> centres =
+        closes && pegs_.count > 0 ? find_pegs(sides.below) : std::vector<Vec3>();
+    std::vector<SectionPeg> pegs, holes;
+    for (const Vec3& centre : centres) {
+      pegs.push_back({centre, pegs_.diameter / 2, pegs_.depth});
+      holes.push_back({centre, pegs_.diameter / 2 + pegs_.tolerance, -(pegs_.depth + pegs_.tolerance)});
+    }
+    std::pair<Section, Section> made{make_section(mesh(), above, down, closes, holes),
+                                     make_section(mesh(), below, plane_, closes, pegs)};
+    if (made.first.pegs != centres.size() || made.second.pegs != centres.size())
+      made = {make_section(mesh(), above, down, closes), make_section(mesh(), below, plane_, closes)};
+    if (closes) {
+      solid.pegs += made.first.pegs;
+      solid.missing_pegs += static_cast<size_t>(pegs_.count) - made.first.pegs;
+    }
+    return made;
+  }
+
+  // A peg needs room in the part above the plane; its faces are cut at the plane.
+  std::vector<Vec3> find_pegs(std::span<const Mesh::Side> sides) {
+    return peg_centres(mesh(), sides, plane_, pegs_, [&](const Vec3& centre, double radius) {
+      const Pose pose{centre, plane_.normal};
+      const double reach = pegs_.depth + pegs_.tolerance + radius - pegs_.diameter / 2;
+      std::vector<FaceId> touched;
+      step_.body().tree.touched(mesh(), SweptCylinder(pose, pose, radius, {0, reach}), touched);
+      return touched.empty();
+    });
   }
 
   const Mesh& mesh() const { return step_.mesh(); }
@@ -173,6 +203,7 @@ class KnifeCut {
 
   BodyStep& step_;
   WallPlane plane_;
+  const Pegs& pegs_;
   std::vector<int8_t> side_;  // of the vertices before the cut: 1 above the plane, -1 below, 0 on it
   std::vector<FaceId> crossed_;
 };
@@ -218,12 +249,14 @@ std::vector<RimSide> open_sides(const Mesh& mesh, std::span<const Mesh::Side> si
 
 void add_section(BodyStep& step, const SectionWalls& walls) {
   const WallPatch& patch = walls.patch;
-  FaceAddition addition(patch.rim, patch.faces);
+  std::vector<VertexId> vertices = patch.rim;
+  for (const Vec3& p : patch.added) vertices.push_back(step.edit.add_vertex(p));
+  FaceAddition addition(vertices, patch.faces);
   for (const auto& [at, other] : walls.welded) step.edit.weld(addition, at, other);
   std::vector<FaceId> beside;
   for (const uint32_t wall : patch.wall_of_face) beside.push_back(patch.beside_wall[wall]);
   step.edit.add_walls(addition, beside);
-  step.edit.split_fans(addition, patch.rim.size());
+  step.edit.split_fans(addition, vertices.size());
   for (size_t i = 0; i < patch.sides.size(); ++i)
     step.edit.join_parts(patch.sides[i].face, patch.beside_wall[patch.wall_of_side[i]]);
 }
@@ -233,8 +266,10 @@ Error too_many_knife_faces(size_t max_faces) {
 }
 
 Result<StepResult> cut_with_plane(World& world, const KnifePlane& plane, std::span<const BodyId> bodies,
-                                  size_t max_faces, const Progress* progress) {
+                                  size_t max_faces, const Progress* progress, const Pegs& pegs) {
   KERF_ASSERT(is_settled(world));
+  KERF_ASSERT(pegs.count == 0 ||
+              (pegs.count > 0 && pegs.diameter > 0 && pegs.depth > 0 && pegs.tolerance >= 0));
   // A crossed face becomes three, and a solid gets two walls of at most one face per crossed face.
   constexpr size_t kMaxNewFaces = 4;
   std::vector<BodyStep> steps;
@@ -243,14 +278,15 @@ Result<StepResult> cut_with_plane(World& world, const KnifePlane& plane, std::sp
   for (const BodyId id : bodies) {
     if (progress && !progress->report(0)) return cancelled();
     BodyStep& step = steps.emplace_back(id, world.body(id));
-    cuts.emplace_back(step, plane_in_body(plane, step.body().placement));
-    if (step.mesh().live_faces() + kMaxNewFaces * cuts.back().crossed() > max_faces)
+    cuts.emplace_back(step, plane_in_body(plane, step.body().placement), pegs);
+    const size_t of_pegs = 2 * 4 * static_cast<size_t>(pegs.count) * kPegSides;
+    if (step.mesh().live_faces() + kMaxNewFaces * cuts.back().crossed() + of_pegs > max_faces)
       return failed("the cut would make more than " + std::to_string(max_faces) +
                     " faces: simplify the mesh");
   }
   StepResult result;
   for (size_t i = 0; i < steps.size(); ++i) {
-    cuts[i].run(result.delta.left_open);
+    cuts[i].run(result.delta.left_open, result.delta.solid);
     separate(world, steps[i], {}, kNoLimit, EditPolicy::kNoEdits);
     end_step(steps[i], result);
   }

@@ -20,6 +20,17 @@ struct KnifePlane {
   friend bool operator==(const KnifePlane&, const KnifePlane&) = default;
 };
 
+// Pegs that join the two sides of a cut of a solid: cylinders on the side that the normal of the plane points
+// away from, and holes for them in the other side.
+struct Pegs {
+  static constexpr int kMaxCount = 1000;
+  int count = 0;         // in the section of a body, at most; 0: none
+  double diameter = 0;   // m, > 0
+  double depth = 0;      // m, > 0, from the plane
+  double tolerance = 0;  // m, the gap around a peg and at its end
+  friend bool operator==(const Pegs&, const Pegs&) = default;
+};
+
 // Cuts bodies along a plane by a cut of no width. Faces are split exactly where the plane crosses them, and
 // nothing is refined or removed. Faces on different sides of the plane are then disconnected, so that each
 // side becomes pieces of its own, and both sides of a solid body are closed by the same section of walls.
@@ -31,11 +42,14 @@ struct KnifePlane {
 // edge gets one vertex, whose position depends only on the ends of the edge, so that the pieces fit to the
 // bit.
 //
+// Pegs are prisms of kPegSides sides, spread over the section with half a radius of material around them and
+// their holes. Fewer than `count` are made where there is no room; SolidChange counts those made.
+//
 // Fails with cancelled() if `progress` stops it, or if a body would exceed `max_faces`; the world is
 // unchanged then. Preconditions: the bodies are contained, and is_settled(world). O(faces of the bodies).
 Result<StepResult> cut_with_plane(World& world, const KnifePlane& plane, std::span<const BodyId> bodies,
                                   size_t max_faces = CutSettings::kMaxFaces,
-                                  const Progress* progress = nullptr);
+                                  const Progress* progress = nullptr, const Pegs& pegs = {});
 
 // The surface that a beam without radius sweeps, in world coordinates: between two poses the origin moves on
 // the straight line, and the direction along the shorter arc.

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/cut/cut_stages.h"
+#include "core/cut/knife.h"
 #include "core/walls/section_walls.h"
 
 namespace kerf {
@@ -26,6 +28,12 @@ Vec3 plane_crossing(const Mesh& mesh, const WallPlane& plane, const Mesh::Side& 
 // replaces vertices, but not positions. Appends the faces of the other sides to `others`.
 std::vector<RimSide> open_sides(const Mesh& mesh, std::span<const Mesh::Side> sides,
                                 std::vector<FaceId>& others);
+
+// Returns centres of pegs in a section, given by the sides of one side of a cut: the first as far as possible
+// from its border, the next as far as possible from the others. has_room(centre, radius) tells whether the
+// solid has room for a peg and its hole within this radius.
+std::vector<Vec3> peg_centres(const Mesh& mesh, std::span<const Mesh::Side> sides, const WallPlane& plane,
+                              const Pegs& pegs, const std::function<bool(const Vec3&, double)>& has_room);
 
 // Adds walls, and connects the parts at their rim.
 void add_section(BodyStep& step, const SectionWalls& walls);

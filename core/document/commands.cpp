@@ -271,14 +271,22 @@ static Result<Delta> delta_of(Result<StepResult> result) {
   return std::move(result->delta);
 }
 
+static void describe(Fields& f, Pegs& pegs) {
+  f.whole("count", pegs.count, 1, Pegs::kMaxCount);
+  f.number("diameter", pegs.diameter, kPositive);
+  f.number("depth", pegs.depth, kPositive);
+  f.number("tolerance", pegs.tolerance, NumberRange{0, std::numeric_limits<double>::max(), "m"});
+}
+
 void describe(Fields& f, CutPlane& c) {
   f.vector("normal", c.plane.normal, VectorRule::kNotZero);
   f.number("distance", c.plane.distance, kFinite);
   describe_knife(f, c);
+  if (f.present("pegs", c.pegs.count > 0)) f.object("pegs", c.pegs);
 }
 
 Result<Delta> CutPlane::run(World& world, uint32_t, const Progress* progress) const {
-  return delta_of(cut_with_plane(world, plane, bodies_to_cut(world, bodies), max_faces, progress));
+  return delta_of(cut_with_plane(world, plane, bodies_to_cut(world, bodies), max_faces, progress, pegs));
 }
 
 void describe(Fields& f, CutPath& c) {

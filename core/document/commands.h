@@ -238,6 +238,7 @@ struct CutPlane {
   KnifePlane plane;
   std::vector<BodyId> bodies{};               // empty: all visible ones
   size_t max_faces = CutSettings::kMaxFaces;  // of a body after the cut
+  Pegs pegs{};
 
   static constexpr const char* kName = "cut-plane";
   size_t weight() const { return bodies.size() * sizeof(BodyId); }

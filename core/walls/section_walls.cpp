@@ -10,6 +10,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/containers.h"
+#include "core/base/deterministic_math.h"
 #include "core/mesh/files/triangulation.h"
 #include "core/mesh/weld.h"
 #include "core/walls/wall_mesh_internal.h"
@@ -50,8 +51,9 @@ struct Projection {
 
 class SectionMaker {
  public:
-  SectionMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane)
-      : mesh_(mesh), sides_(sides), plane_(plane), flat_(plane.normal) {}
+  SectionMaker(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane,
+               std::span<const SectionPeg> pegs)
+      : mesh_(mesh), sides_(sides), plane_(plane), pegs_(pegs), flat_(plane.normal) {}
 
   Section make(bool closes) {
     trace();
@@ -111,6 +113,7 @@ class SectionMaker {
   // Closes loops of one piece together if they do not cross; otherwise those whose boxes meet, or each one.
   void close(const std::vector<uint32_t>& loops) {
     if (std::optional<SectionWalls> walls = cap(loops)) {
+      section_.pegs += walls->patch.added.size() / (2 * kPegSides);
       section_.walls.push_back(std::move(*walls));
       return;
     }
@@ -163,12 +166,74 @@ class SectionMaker {
     };
     std::vector<PatchSide> rim;
     for (const RimSide& side : patch.sides) rim.emplace_back(numbered(side.to), numbered(side.from));
-    auto faces = triangulate_section(at, rim, plane_.normal);
+    std::vector<PatchSide> border = rim;
+    const std::vector<uint32_t> rings = add_rings(loops, patch, at, border);
+    auto faces = triangulate_section(at, border, plane_.normal);
     if (!faces) return std::nullopt;
     patch.faces = std::move(*faces);
+    for (const uint32_t ring : rings) add_peg_faces(ring, patch);
     if (run_to_completion(fault_of(patch, rim))) return std::nullopt;
     run_to_completion(separate_walls(patch, rim, patch.sides));
     return made;
+  }
+
+  // Returns true if a point of the plane lies within loops, by the even-odd rule.
+  bool is_within(const std::vector<uint32_t>& loops, const Vec3& point) const {
+    const Vec2 p = flat_(point);
+    bool inside = false;
+    for (const uint32_t loop : loops) {
+      for (const uint32_t side : loops_[loop].sides) {
+        const Vec2 a = flat_(mesh_.position(sides_[side].from)), b = flat_(mesh_.position(sides_[side].to));
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if ((cross2(b - a, p - a) > 0) == (b.y > a.y)) inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  // Adds the corners of the pegs within loops, in the plane to `at` and at both ends to the patch, and their
+  // sides in the plane to `border`, clockwise seen against the normal. Returns the first corner of each.
+  std::vector<uint32_t> add_rings(const std::vector<uint32_t>& loops, WallPatch& patch, std::vector<Vec3>& at,
+                                  std::vector<PatchSide>& border) const {
+    std::vector<const SectionPeg*> within;
+    for (const SectionPeg& peg : pegs_) {
+      if (is_within(loops, peg.centre)) within.push_back(&peg);
+    }
+    const Vec3 size = glm::abs(plane_.normal);
+    const Vec3 least = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
+                       : size.y <= size.z                   ? Vec3(0, 1, 0)
+                                                            : Vec3(0, 0, 1);
+    // Planes of opposite normals have the same corners, because their number is even.
+    const Vec3 u = glm::normalize(glm::cross(plane_.normal, least)), v = glm::cross(plane_.normal, u);
+    std::vector<uint32_t> rings;
+    for (const SectionPeg* peg : within) {
+      const auto first = static_cast<uint32_t>(at.size());
+      rings.push_back(first);
+      for (uint32_t k = 0; k < kPegSides; ++k) {
+        const auto [sin, cos] = sin_cos(2 * kPi * k / kPegSides);
+        patch.added.push_back(peg->centre + peg->radius * (cos * u + sin * v));
+        at.push_back(patch.added.back());
+        border.emplace_back(first + (k + 1) % kPegSides, first + k);
+      }
+    }
+    for (const SectionPeg* peg : within) {
+      for (uint32_t k = 0; k < kPegSides; ++k) {
+        const auto [sin, cos] = sin_cos(2 * kPi * k / kPegSides);
+        patch.added.push_back(peg->centre + peg->radius * (cos * u + sin * v) + peg->height * plane_.normal);
+      }
+    }
+    return rings;
+  }
+
+  // Adds the sides and the end of the peg whose corners in the plane begin at `ring`.
+  static void add_peg_faces(uint32_t ring, WallPatch& patch) {
+    const auto end = static_cast<uint32_t>(ring + patch.added.size() / 2);
+    for (uint32_t k = 0; k < kPegSides; ++k) {
+      const uint32_t next = (k + 1) % kPegSides;
+      patch.faces.push_back({ring + k, ring + next, end + next});
+      patch.faces.push_back({ring + k, end + next, end + k});
+      if (k > 0 && next > 0) patch.faces.push_back({end, end + k, end + next});
+    }
   }
 
   SectionWalls clip_ears(const SectionLoop& loop) const {
@@ -198,6 +263,7 @@ class SectionMaker {
   const Mesh& mesh_;
   std::span<const RimSide> sides_;
   const WallPlane& plane_;
+  std::span<const SectionPeg> pegs_;
   Projection flat_;
   std::vector<uint32_t> next_;  // by side: the following one of its wall
   std::vector<SectionLoop> loops_;
@@ -224,9 +290,10 @@ std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::spa
   return mesh->triangles();
 }
 
-Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane, bool closes) {
+Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane, bool closes,
+                     std::span<const SectionPeg> pegs) {
   KERF_ASSERT(is_unit(plane.normal));
-  return SectionMaker(mesh, sides, plane).make(closes);
+  return SectionMaker(mesh, sides, plane, pegs).make(closes);
 }
 
 }  // namespace kerf

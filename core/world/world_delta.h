@@ -54,8 +54,11 @@ struct SolidChange {
   // Volume lost (m^3): the sum of the signed tetrahedra between the body's middle and each removed face and
   // reversed wall.
   double removed_volume = 0;
+  size_t pegs = 0, missing_pegs = 0;  // made by a knife, and those without room
 
   SolidChange& operator+=(const SolidChange& other) {
+    pegs += other.pegs;
+    missing_pegs += other.missing_pegs;
     wall_faces += other.wall_faces;
     wall_area += other.wall_area;
     removed_volume += other.removed_volume;

@@ -1,5 +1,6 @@
 """Cuts along planes, and pieces that are ready to print: knife_test.py KERF"""
 import json
+import math
 import os
 import subprocess
 import sys
@@ -63,6 +64,34 @@ class Knife(unittest.TestCase):
             for axis, most in enumerate((0.2, 0.25, 0.15)):
                 extent = max(v[axis] for v in piece) - min(v[axis] for v in piece)
                 self.assertLessEqual(extent, most + 1e-15)
+
+    def test_pegs_join_the_halves_of_a_solid(self):
+        report, _ = self.cut("--plane", "1,0,0,0.2", "--solid", "--pegs", "3,0.02,0.03,0.001", "--journal", "a.kerf")
+        self.assertEqual([True, True], [piece["closed"] for piece in report["pieces"]])
+        prism = 16 * math.sin(math.pi / 16)
+        holes, pegs = report["pieces"]  # of 0.3 and of 0.2 along x
+        self.assertAlmostEqual(pegs["volume"], 0.2 * 0.06 + 3 * prism * 0.01**2 * 0.03, delta=1e-15)
+        self.assertAlmostEqual(holes["volume"], 0.3 * 0.06 - 3 * prism * 0.011**2 * 0.031, delta=1e-15)
+        replay = subprocess.run([KERF, "replay", "a.kerf"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((0, report["state_hash"]), (replay.returncode, replay.stdout.strip()))
+
+    def test_pieces_with_pegs_fit_the_bed(self):
+        report, vertices = self.cut("--fit-bed", "0.2,0.25,0.35", "--solid", "--pegs", "2,0.02,0.03,0.001")
+        self.assertEqual([True] * 3, [piece["closed"] for piece in report["pieces"]])
+        for piece in vertices:
+            self.assertLessEqual(max(v[0] for v in piece) - min(v[0] for v in piece), 0.2 + 1e-12)
+
+    def test_pegs_without_room_are_noted(self):
+        report, _ = self.cut("--plane", "1,0,0,0.2", "--solid", "--pegs", "3,0.02,0.4,0.001")
+        self.assert_closed(report, 2)
+        self.assertIn("--pegs: there is room for 0 of 3 pegs", report["notes"])
+        report, _ = self.cut("--plane", "1,0,0,0.2", "--pegs", "3,0.02,0.04,0.001")
+        self.assertIn("--pegs: only solids get pegs; add --solid for closed meshes", report["notes"])
+        for wrong in ("3,0.02,0.04", "0,1,1,1", "2,-1,1,1", "2.5,1,1,1"):
+            run = self.kerf("--plane", "1,0,0,0.2", "--pegs", wrong)
+            self.assertEqual(2, run.returncode)
+            self.assertIn("--pegs: must be COUNT", run.stderr)
+        self.assertEqual(2, self.kerf("--pegs", "2,1,1,1").returncode)
 
     def test_pieces_lie_flat_on_their_largest_cut_face(self):
         report, vertices = self.cut("--plane", "0.5,0,1,0.3", "--solid", "--lay-flat")

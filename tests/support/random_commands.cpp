@@ -142,6 +142,8 @@ struct Bits {
   void operator()(const CutPlane& c) {
     put(bits, c.plane.normal);
     put(bits, c.plane.distance);
+    bits.push_back(static_cast<uint64_t>(c.pegs.count));
+    for (const double x : {c.pegs.diameter, c.pegs.depth, c.pegs.tolerance}) put(bits, x);
     bits.push_back(c.max_faces);
     for (const BodyId id : c.bodies) bits.insert(bits.end(), {id.slot, id.generation});
   }
@@ -311,7 +313,11 @@ Command random_command(Random& random, const BeamAt& beam) {
       return TurnShells{random_piece(random)};
     case 24: {
       const CutSettings settings = random_settings(random);
-      return CutPlane{{random_direction(random), random_number(random)}, settings.bodies, settings.max_faces};
+      CutPlane cut{{random_direction(random), random_number(random)}, settings.bodies, settings.max_faces};
+      if (random.below(2) > 0)
+        cut.pegs = {1 + static_cast<int>(random.below(9)), random.uniform(1e-9, 1), random.uniform(1e-9, 1),
+                    random.uniform(0, 1)};
+      return cut;
     }
     case 25: {
       const CutSettings settings = random_settings(random);

@@ -55,10 +55,10 @@ class CutRun {
     if (const auto s = options_.job.read(!options_.path.empty(), options_.radius); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
-        options_.out,        options_.format.value_or("obj"),
-        options_.split_all,  options_.solid,
-        options_.provenance, options_.colliders ? options_.collider_names.value_or("unreal") : "",
-        options_.single_file};
+        options_.out,         options_.format.value_or("obj"),
+        options_.split_all,   options_.solid,
+        options_.provenance,  options_.colliders ? options_.collider_names.value_or("unreal") : "",
+        options_.single_file, options_.outlines.value_or("")};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     options_.job.add_strokes(bounds_, strokes_, job_);
@@ -147,7 +147,9 @@ class CutRun {
     InputFiles inputs;
     for (const std::string& file : options_.meshes) inputs.add(file);
     inputs.add_meshes(scene_);
-    for (const std::string& file : {options_.path, options_.settings, options_.job.file()}) inputs.add(file);
+    for (const std::string& file :
+         {options_.path, options_.settings, options_.job.file()})
+      inputs.add(file);
     if (options_.material) inputs.add(assets_folder() / "materials.json");
     if (const Status free = folder.check("--out", inputs); !free) return free;
     if (!options_.provenance.empty()) {
@@ -246,14 +248,25 @@ class CutRun {
           << "kerf: faces may be wider than the kerf (two radii) at this resolution: each is removed for "
              "the energy of a strip as wide as the kerf\n";
     }
-    for (const Command& command : stroke_commands(stroke, settings)) document_.apply(command);
+    std::vector<size_t> segment_ends;  // in moves
+    for (const Command& command : stroke_commands(stroke, settings)) {
+      document_.apply(command);
+      if (std::holds_alternative<MoveBeam>(command)) segment_ends.push_back(document_.waiting());
+    }
     const size_t moves = document_.waiting();
     const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
+    size_t segment = 0, removed = job_.removed_faces;
+    StepStatistics before = job_.statistics;
     for (size_t i = 0; i < steps; ++i) {
       const auto done = [&](size_t n) { return static_cast<double>(n) / static_cast<double>(steps); };
       const Progress stepping = share_of(&progress, done(i), done(i + 1));
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
+      if (!job_.thermal || steps != moves || segment >= segment_ends.size() || i + 1 < segment_ends[segment])
+        continue;
+      job_.record_segment(segment++, before, removed);
+      before = job_.statistics;
+      removed = job_.removed_faces;
     }
     job_.end_stroke();
     return Done{};

@@ -74,6 +74,8 @@ void visit_options(CutOptions& o, Visitor& v) {
       "For glTF: add a convex hull of at most 64 vertices to each piece, with its mass properties (none)");
   v.choice("collider-names", o.collider_names, {"unreal", "godot"},
            "Names of the hulls: UCX_NODE_00 for unreal, NODE-convcolonly for godot (unreal)");
+  v.choice("outlines", o.outlines, {"svg", "dxf"},
+           "Also write the outline of each flat piece: svg or dxf (none)");
   v.flag("single-file", o.single_file, "For glTF and 3MF: write all pieces to one file, such as pieces.glb");
   v.flag("split-all", o.split_all, "Make every connected component a piece");
   v.flag("recentre", o.recentre,

@@ -22,7 +22,7 @@ struct CutOptions {
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
   std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist, cut_material;
-  std::optional<std::string> colliders, collider_names, unit;
+  std::optional<std::string> colliders, collider_names, outlines, unit;
   std::optional<int> depth;
   std::optional<int> steps;
   bool split_all = false;

@@ -19,6 +19,7 @@
 #include "core/document/lost_looks.h"
 #include "core/document/npz_file.h"
 #include "core/document/piece_looks.h"
+#include "core/document/piece_outline.h"
 #include "core/document/save.h"
 #include "core/document/surface_files.h"
 #include "core/document/text/json.h"
@@ -94,9 +95,11 @@ std::set<std::string> listed_pieces(const fs::path& report) {
   const auto json = parse_json(*text, report.string());
   if (!json || !json->is_object() || !json->contains("pieces")) return names;
   for (const nlohmann::json& piece : (*json)["pieces"]) {
-    if (!piece.is_object() || !piece.contains("file") || !piece["file"].is_string()) continue;
-    const auto name = piece["file"].get<std::string>();
-    if (is_piece_name(name)) names.insert(name);
+    for (const char* const key : {"file", "outline"}) {
+      if (!piece.is_object() || !piece.contains(key) || !piece[key].is_string()) continue;
+      const auto name = piece[key].get<std::string>();
+      if (is_piece_name(name)) names.insert(name);
+    }
   }
   return names;
 }
@@ -126,13 +129,18 @@ class EarlierResult {
   void remove_new(const std::vector<WrittenPiece>& written) const {
     std::error_code error;
     for (const WrittenPiece& piece : written) {
-      if (!pieces_.contains(piece.file)) fs::remove(folder_ / piece.file, error);
+      for (const std::string& name : {piece.file, piece.outline}) {
+        if (!name.empty() && !pieces_.contains(name)) fs::remove(folder_ / name, error);
+      }
     }
   }
 
   // Removes earlier pieces that the new result lacks.
   void remove_all_but(const std::vector<WrittenPiece>& written) {
-    for (const WrittenPiece& piece : written) pieces_.erase(piece.file);
+    for (const WrittenPiece& piece : written) {
+      pieces_.erase(piece.file);
+      pieces_.erase(piece.outline);
+    }
     std::error_code error;
     for (const std::string& name : pieces_) {
       if (!fs::is_directory(folder_ / name, error)) fs::remove(folder_ / name, error);
@@ -309,6 +317,18 @@ struct PieceFile {
   PieceFile& operator=(const PieceFile&) = delete;
 };
 
+// Writes the outline of a flat piece and records its file.
+Status write_outline(const Part& part, const PiecesFolder& folder, const Vec3& origin, PieceFile& file) {
+  if (folder.outlines.empty()) return Done{};
+  Extract piece = part.extract;
+  piece.positions = seen_from(origin, std::move(piece.positions));
+  const auto lines = flat_outline(piece);
+  if (!lines) return Done{};
+  file.piece.outline = file.stem + "." + folder.outlines;
+  const std::string text = folder.outlines == "svg" ? svg_text(*lines) : dxf_text(*lines);
+  return write_file_atomically(fs::path(folder.path) / file.piece.outline, text);
+}
+
 // Writes one file with all pieces.
 Status write_single_file(const std::vector<std::unique_ptr<PieceFile>>& pieces, const PiecesFolder& folder,
                          std::vector<WrittenPiece>& written) {
@@ -349,20 +369,21 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Surfac
   const Progress progress = line.progress();
   const bool completed = for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) {
     auto file = std::make_unique<PieceFile>(parts[i], i, folder, surfaces, origin, moved);
-    if (folder.single_file) {
+    Status saved = write_outline(parts[i], folder, origin, *file);
+    if (folder.single_file && saved) {
       kept[i] = std::move(file);
       return;
     }
-    const Status saved = write_mesh(file->view, fs::path(folder.path) / file->piece.file, format);
+    if (saved) saved = write_mesh(file->view, fs::path(folder.path) / file->piece.file, format);
     if (saved) file->piece.precision = precision_loss(file->view, format);
     results[i] = saved ? Result<WrittenPiece>(std::move(file->piece)) : saved.error();
   });
   Status status = Done{};
-  if (completed && folder.single_file) status = write_single_file(kept, folder, written);
   for (const auto& result : results) {
     if (result && *result) written.push_back(**result);
     if (result && !*result && status) status = result->error();
   }
+  if (completed && status && folder.single_file) status = write_single_file(kept, folder, written);
   if (!status) return status;
   if (written.size() < parts.size())
     return failed("stopped before all pieces were written, so there is no report");
@@ -378,7 +399,8 @@ Status PiecesFolder::check(const std::string& option, const InputFiles& inputs) 
   const std::set<std::string> earlier = EarlierResult(path).pieces();
   return inputs.check_folder(option, path, [&](std::string_view name) {
     return name == kReport || earlier.contains(std::string(name)) ||
-           (is_piece_name(name) && fs::path(name).extension() == "." + format);
+           (is_piece_name(name) &&
+            (fs::path(name).extension() == "." + format || fs::path(name).extension() == "." + outlines));
   });
 }
 
@@ -424,10 +446,15 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   if (flat > 0)
     job.notes.push_back(count_text(flat, "piece") + (flat == 1 ? " has" : " have") +
                         " no collider, because the hull has no volume");
+  const auto uneven = static_cast<size_t>(std::ranges::count(written, "", &WrittenPiece::outline));
+  if (!outlines.empty() && uneven > 0)
+    job.notes.push_back(count_text(uneven, "piece") +
+                        (uneven == 1 ? " is not flat and has" : " are not flat and have") + " no outline");
   job.notes.insert(job.notes.end(), lost.begin(), lost.end());
   nlohmann::ordered_json how = settings_json(settings, format, split_all);
   if (solid) how["solid"] = true;
   if (single_file) how["single-file"] = true;
+  if (!outlines.empty()) how["outlines"] = outlines;
   if (!colliders.empty()) {
     how["colliders"] = "hull";
     how["collider-names"] = colliders;

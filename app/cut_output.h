@@ -27,6 +27,7 @@ struct PiecesFolder {
   std::string colliders{};
   // All pieces are in one file, such as pieces.glb, if holds_several_meshes(format).
   bool single_file = false;
+  std::string outlines{};  // "svg" or "dxf": format of the outlines of flat pieces; empty: none
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;
@@ -37,7 +38,9 @@ struct PiecesFolder {
   // Writes the pieces as piece-0000 and so on, or as one file, largest area first, relative to the origin of
   // the job, then report.json with its statistics. Adds notes to the job on losses of precision and of looks
   // by the format. Returns the pieces. Shows a ProgressLine. Every file is written completely or not at all.
-  // OBJ pieces share a material library, with its images in the same folder (see SurfaceFiles).
+  // With `outlines`, each flat piece also has a file piece-0000.svg or .dxf (see flat_outline), relative to
+  // the same origin; a note counts the others. OBJ pieces share a material library, with its images in the
+  // same folder (see SurfaceFiles).
   //
   // The folder holds one run. The earlier report becomes report.json~ before the first piece is written, so a
   // failure or Ctrl-C leaves no report. Once the new files are complete, removes files of pieces

@@ -12,6 +12,7 @@ _kerf_values() {
     --format) echo obj ply stl off glb gltf 3mf ;;
     --material) kerf materials 2>/dev/null | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' ;;
     --model) echo geometric thermal ;;
+    --outlines) echo svg dxf ;;
     --pattern) echo volume rays4 ;;
     --rim) echo faces smooth ;;
     --scheme) echo longest-edge one-to-four ;;

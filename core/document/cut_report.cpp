@@ -80,6 +80,7 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
                                   {"centroid", vector_json(p.centroid)},
                                   {"boundary_edges", p.boundary_edges},
                                   {"closed", p.volume.has_value()}};
+  if (!p.outline.empty()) piece["outline"] = p.outline;
   if (p.volume) piece["volume"] = *p.volume;
   piece["mass"] = p.mass.mass;
   piece["inertia"] = {i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]};
@@ -119,6 +120,9 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
   if (!job.thermal) return;
   report["energy_j"] = energy_json(world);
   report["depth_fraction"] = job.depth_fraction();
+  report["uncut"] = nlohmann::ordered_json::array();
+  for (const UncutSegment& s : job.uncut)
+    report["uncut"].push_back({{"stroke", s.stroke}, {"segment", s.segment}, {"depth", s.depth}});
 }
 
 }  // namespace
@@ -141,6 +145,25 @@ void CutJob::record_step(const StepResult& step, const World& world, double seco
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   }
   if (step.delta.removed_faces > 0) step_s.push_back(seconds);
+  for (const BodyDelta& body : step.delta.bodies) record_parts(body);
+}
+
+void CutJob::record_parts(const BodyDelta& body) {
+  for (const CutFace& cut : body.removed) {
+    const auto freed = freed_by.find({body.body, cut.piece});
+    if (freed == freed_by.end() || freed->second == strokes) continue;
+    const auto same = [&](const ScrapCut& s) { return s.stroke == strokes && s.freed_by == freed->second; };
+    auto found = std::ranges::find_if(scrap, same);
+    if (found == scrap.end()) found = scrap.insert(scrap.end(), {strokes, freed->second, 0});
+    found->area += triangle_area(cut.corners);
+  }
+  for (const uint32_t label : body.new_pieces) freed_by.try_emplace({body.body, label}, strokes);
+}
+
+void CutJob::record_segment(size_t segment, const StepStatistics& before, size_t removed) {
+  const double met = statistics.met_s - before.met_s;
+  if (met > 0 && removed_faces == removed)
+    uncut.push_back({strokes, segment, (statistics.depth_s - before.depth_s) / met});
 }
 
 void CutJob::begin_stroke() {
@@ -220,6 +243,8 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"max_level", extremes.deepest_level},
       {"steps", job.steps},
       {"missed", job.missed}};
+  for (const ScrapCut& s : job.scrap)
+    report["scrap"].push_back({{"stroke", s.stroke}, {"freed_by", s.freed_by}, {"area", s.area}});
   add_solid(report, job, any_solid);
   add_energy(report, job, world);
   if (job.program_s) report["program_ms"] = 1000 * *job.program_s;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/json.h"
@@ -12,6 +14,18 @@
 
 namespace kerf {
 
+// A segment of a stroke, i.e. the way between two keys, along which the thermal beam removed no face.
+struct UncutSegment {
+  size_t stroke = 0, segment = 0;
+  double depth = 0;  // mean depth of the cut as a fraction of the thickness, see StepStatistics
+};
+
+// A stroke that cuts a part which an earlier stroke had already cut free.
+struct ScrapCut {
+  size_t stroke = 0, freed_by = 0;  // indices of strokes
+  double area = 0;                  // removed from the part, m^2
+};
+
 // Totals and times of a job, for report.json.
 struct CutJob {
   void record_loaded(const MeshReport& mesh);
@@ -20,6 +34,9 @@ struct CutJob {
   // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();
+  // Lists the segment if the beam met faces since `before`, the statistics at its beginning, but removed
+  // none. `removed` is the number of removed faces then.
+  void record_segment(size_t segment, const StepStatistics& before, size_t removed);
   // Mean depth of the thermal cut over the time for which the beam hit a face, 0 .. 1 (see StepStatistics).
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
@@ -34,17 +51,25 @@ struct CutJob {
   std::optional<double> program_s;  // duration of the G-code program that the strokes come from
   size_t strokes = 0;               // number of strokes cut
   std::vector<size_t> missed;       // indices of the strokes that hit nothing, ascending
-  size_t faces_before_stroke = 0;   // removed_faces and met_s at the start of the last stroke
+  std::vector<UncutSegment> uncut;  // in order; thermal model only
+  std::vector<ScrapCut> scrap;      // by stroke and by the stroke that freed the part
+  std::map<std::pair<BodyId, uint32_t>, size_t> freed_by;  // stroke by body and label of the part
+  size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;
   size_t steps = 0;  // number of beam moves, as requested
   StepStatistics statistics;
   std::vector<double> step_s;  // durations of the calls that removed faces
   bool thermal = false;        // the strokes use the thermal model
   double load_s = 0, build_tree_s = 0, cut_s = 0, save_s = 0;
+
+ private:
+  // Lists the cuts of parts that an earlier stroke freed, and the parts that this one frees.
+  void record_parts(const BodyDelta& body);
 };
 
 struct WrittenPiece {
-  std::string file;  // its output file; in the report of the library the name of the piece
+  std::string file;       // its output file; in the report of the library the name of the piece
+  std::string outline{};  // file with its outline; empty if there is none
   size_t faces = 0, vertices = 0, boundary_edges = 0;
   double area = 0;               // m^2
   Vec3 centroid{0};              // m

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -21,7 +23,7 @@ namespace kerf {
 struct DrawnLine {
   std::vector<Vec2> points;  // m; successive points differ
   bool closed = false;
-  std::string layer;  // of DXF; empty in SVG
+  std::string layer;  // of DXF; the colour of the stroke in SVG, "#rrggbb", or empty
 };
 
 struct Drawing {
@@ -51,6 +53,11 @@ Result<Drawing> read_svg(std::string_view text, const std::string& file, double 
 // model space, in the unit of the header, else millimetres. Layers that are frozen or off are left out. Lines
 // of a layer whose ends meet are joined.
 Result<Drawing> read_dxf(std::string_view text, const std::string& file, double tolerance);
+
+// Format lines as a drawing in millimetres: SVG, whose page is centred at the zero of the coordinates, so
+// that reading it restores them, and DXF R12 with the layers of the lines.
+std::string svg_text(std::span<const DrawnLine> lines);
+std::string dxf_text(std::span<const DrawnLine> lines);
 
 // Formats the elements left out: "left out: 2 image, 1 text"; nullopt if there are none.
 std::optional<std::string> left_out_text(const Drawing& drawing);
@@ -93,6 +100,8 @@ class DrawingBuilder {
   // Precondition: tolerance > 0, in metres.
   explicit DrawingBuilder(double tolerance) : tolerance_(tolerance) {}
 
+  // Sets the layer of lines that name none.
+  void set_layer(std::string layer) { layer_ = std::move(layer); }
   // Begins a line, ends the current one.
   void move_to(Vec2 point, const std::string& layer = {});
   // Extend the current line. Precondition: it was begun.
@@ -127,7 +136,7 @@ class DrawingBuilder {
   double tolerance_;
   Drawing drawing_;
   DrawnLine line_;
-  std::string fault_;
+  std::string layer_, fault_;
   size_t points_ = 0, elements_ = 0;
 };
 

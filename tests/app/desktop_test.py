@@ -21,7 +21,7 @@ EXTRAS = os.path.join(ROOT, 'assets/install')
 SPHERE = os.path.join(ROOT, 'assets/meshes/sphere.obj')
 # Command lines whose error lists the values of the last option.
 REFUSED = ('cut x --out y --rim', 'cut x --out y --scheme', 'cut x --out y --model', 'cut x --out y --pattern',
-           'cut x --out y --assist', 'cut x --out y --format', f'prepare {SPHERE} --out x.obj --subdivide',
+           'cut x --out y --assist', 'cut x --out y --format', 'cut x --out y --outlines', f'prepare {SPHERE} --out x.obj --subdivide',
            f'render {SPHERE} --out x.png --show', f'cut {SPHERE} --out y --material', 'play --driver',
            'play --headless --driver bot --difficulty', 'compare x y --align', 'info x --unit')
 

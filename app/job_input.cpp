@@ -10,6 +10,7 @@ namespace kerf {
 namespace {
 
 constexpr NumberRange kTurn{-1e6, 1e6, "degrees"};
+constexpr NumberRange kWrapRadius{1e-6, 1e6, "m"};
 constexpr NumberRange kJobScale{1e-6, 1e6, "", true};
 
 }  // namespace
@@ -17,6 +18,9 @@ constexpr NumberRange kJobScale{1e-6, 1e6, "", true};
 void JobInput::add_to(CLI::App& command) {
   command.add_option("--drawing", drawing, "Cut along the lines of a drawing instead: SVG or DXF");
   command.add_option("--gcode", gcode, "Cut along a program of GRBL or LinuxCNC instead (.nc)");
+  command.add_option(
+      "--layers", layers,
+      "With --drawing: a JSON file with radius, speed, power and order of its layers or colours");
   command.add_option(
       "--onto", onto,
       "Direction of the beam for a drawing or a program: +x, -x, +y, -y, +z or -z (-y); seen along it, "
@@ -28,25 +32,34 @@ void JobInput::add_to(CLI::App& command) {
   add_number(command, "--turn", turn, kTurn,
              "Turn of the drawing, counter-clockwise as seen along the beam (0)");
   add_number(command, "--scale", scale, kJobScale, "Factor on the size of the drawing (1)");
+  add_number(
+      command, "--wrap", wrap, kWrapRadius,
+      "With --drawing: wrap the drawing round a cylinder of this radius, whose axis is upright in it and "
+      "goes through the middle of the meshes; --at is then a point of the cylinder");
   add_number(command, "--power-at-s1000", power_at_s1000, kPositive,
              "With --gcode: beam power at S1000, in watts (S sets no power)");
 }
 
 Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (file().empty()) {
+    if (wrap) return bad_input("--wrap: requires --drawing");
     if (onto || at || turn || scale)
       return bad_input("--onto, --at, --turn and --scale: require --drawing or --gcode");
     if (power_at_s1000) return bad_input("--power-at-s1000: requires --gcode");
+    if (!layers.empty()) return bad_input("--layers: requires --drawing");
     return Done{};
   }
   if (has_path + !drawing.empty() + !gcode.empty() > 1)
     return bad_input("--path, --drawing and --gcode: give only one of them");
   if (power_at_s1000 && gcode.empty()) return bad_input("--power-at-s1000: requires --gcode");
+  if (wrap && drawing.empty()) return bad_input("--wrap: requires --drawing");
+  if (!layers.empty() && drawing.empty()) return bad_input("--layers: requires --drawing");
   const auto plane = plane_onto(onto.value_or("-y"));
   if (!plane) return bad_input("--onto: " + plane.error().message);
   plane_ = *plane;
   plane_.turn = radians_of(turn.value_or(0));
   plane_.scale = scale.value_or(1);
+  plane_.wrap = wrap.value_or(0);
   if (at) {
     if (const Status s = unpack(parse_point("--at", *at), plane_.at); !s) return s;
   }
@@ -55,13 +68,21 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (kind != JobFile::Kind::kSvg && kind != JobFile::Kind::kDxf && gcode.empty())
     return bad_input("--drawing: " + drawing + " must end in .svg or .dxf");
   const double tolerance = radius ? std::max(*radius / 50, 1e-9) : kCurveTolerance;
-  return unpack(read_job(file(), *kind, tolerance / plane_.scale), job_);
+  if (const Status s = unpack(read_job(file(), *kind, tolerance / plane_.scale), job_); !s) return s;
+  if (layers.empty()) return Done{};
+  if (const Status s = unpack(read_layers(layers), layers_); !s) return s;
+  arrange_layers(layers_, job_.drawing.lines, job_.notes);
+  return Done{};
 }
 
 // Without --at the plane lies before the meshes, against the beam.
 JobPlane JobInput::placed(const Bounds& bounds) const {
   JobPlane plane = plane_;
   if (at) return plane;
+  if (wrap) {
+    plane.at = bounds.centre() - *wrap * plane.beam;
+    return plane;
+  }
   const Vec3 half = 0.5 * bounds.max - 0.5 * bounds.min;
   const double top = glm::dot(bounds.centre(), -plane.beam) + glm::dot(half, glm::abs(plane.beam));
   double height = top + 0.1 * bounds.diagonal();
@@ -84,6 +105,7 @@ void JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& stroke
   for (const std::string& note : job_.notes) job.notes.push_back(file() + ": " + note);
   if (job_.is_drawing()) {
     strokes = drawing_strokes(job_.drawing.lines, job_.drawing.middle, plane);
+    set_lasers(layers_, job_.drawing.lines, strokes);
     return;
   }
   strokes = program_strokes(job_.program, plane, power_at_s1000);

@@ -8,15 +8,16 @@
 #include "core/base/geometry.h"
 #include "core/base/result.h"
 #include "core/document/cut_report.h"
+#include "core/document/drawing_layers.h"
 #include "core/document/job_files.h"
 
 namespace kerf {
 
 // The options of `kerf cut` for a drawing or a program instead of a path file.
 struct JobInput {
-  std::string drawing, gcode;  // files; empty: not given
+  std::string drawing, gcode, layers;  // files; empty: not given
   std::optional<std::string> onto, at;
-  std::optional<double> turn, scale, power_at_s1000;
+  std::optional<double> turn, scale, wrap, power_at_s1000;
 
   // Adds the options to the subcommand. Parsing fills this object.
   void add_to(CLI::App& command);
@@ -34,6 +35,7 @@ struct JobInput {
   JobPlane placed(const Bounds& bounds) const;
 
   JobFile job_;
+  LayerTable layers_;
   JobPlane plane_;
 };
 

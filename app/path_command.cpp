@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/job_input.h"
 #include "core/base/platform.h"
+#include "core/document/drawing_layers.h"
 #include "core/document/job_files.h"
 #include "core/document/save.h"
 
@@ -16,7 +17,7 @@ namespace kerf {
 namespace {
 
 struct PathOptions {
-  std::string file, out, compensate = "none", tabs;
+  std::string file, out, compensate = "none", tabs, post, layers;
   std::optional<double> radius, lead_in, tolerance, power_at_s1000;
 
   PathSide side() const {
@@ -27,6 +28,11 @@ struct PathOptions {
   // Returns true if the lines are changed, not only converted.
   bool works() const { return side() != PathSide::kNone || !tabs.empty(); }
 };
+
+bool is_drawing_file(const std::string& file) {
+  const auto kind = job_kind(file);
+  return kind == JobFile::Kind::kSvg || kind == JobFile::Kind::kDxf;
+}
 
 // Parses "N,M": a number of tabs and their width in metres.
 Status parse_tabs(const std::string& text, ToolpathOptions& options) {
@@ -51,8 +57,15 @@ class PathRun {
   Status run() {
     if (const Status s = check(); !s) return s;
     const double fifty = options_.radius.value_or(50 * kCurveTolerance) / 50;
+    if (!options_.post.empty()) {
+      if (const Status s = unpack(read_post_processor(options_.post), post_); !s) return s;
+    }
+    if (!options_.layers.empty()) {
+      if (const Status s = unpack(read_layers(options_.layers), layers_); !s) return s;
+    }
     auto job = read_job(options_.file, *job_kind(options_.file), options_.tolerance.value_or(fifty));
     if (!job) return job.error();
+    arrange_layers(layers_, job->drawing.lines, job->notes);
     for (const std::string& note : job->notes) warn(options_.file + ": " + note);
     std::vector<StrokePath> strokes;
     if (const Status s = unpack(strokes_of(*job), strokes); !s) return s;
@@ -79,7 +92,13 @@ class PathRun {
     if (!options_.tabs.empty()) {
       if (const Status s = parse_tabs(options_.tabs, toolpath_); !s) return s;
     }
-    return input_files(std::array{std::filesystem::path(options_.file)}).check("--out", options_.out);
+    if (!options_.post.empty() && kind != JobFile::Kind::kProgram)
+      return bad_input("--post: requires a program to write, a name that ends in .nc");
+    if (!options_.layers.empty() && !is_drawing_file(options_.file))
+      return bad_input("--layers: requires a drawing, .svg or .dxf");
+    InputFiles inputs;
+    for (const std::string& file : {options_.file, options_.post, options_.layers}) inputs.add(file);
+    return inputs.check("--out", options_.out);
   }
 
   Result<std::vector<StrokePath>> strokes_of(const JobFile& job) {
@@ -87,8 +106,10 @@ class PathRun {
     std::vector<StrokePath> strokes = job.path;
     if (job.kind == JobFile::Kind::kProgram)
       strokes = program_strokes(job.program, plane, options_.power_at_s1000);
-    if (job.is_drawing() && !options_.works())
+    if (job.is_drawing() && !options_.works()) {
       strokes = drawing_strokes(job.drawing.lines, job.drawing.middle, plane);
+      set_lasers(layers_, job.drawing.lines, strokes);
+    }
     if (!options_.works()) {
       for (StrokePath& stroke : strokes) {
         if (options_.radius) stroke.radius = *options_.radius;
@@ -123,6 +144,7 @@ class PathRun {
       if (!strokes.empty()) stroke.range = strokes.front().range;
       stroke.radius = *radius;
     }
+    set_lasers(layers_, toolpath->strokes, made);
     return made;
   }
 
@@ -131,7 +153,7 @@ class PathRun {
       case JobFile::Kind::kSvg:
         return strokes_svg(strokes);
       case JobFile::Kind::kProgram:
-        return strokes_gcode(strokes, options_.power_at_s1000);
+        return strokes_gcode(strokes, options_.power_at_s1000, post_);
       default:
         return path_file_text(strokes);
     }
@@ -150,6 +172,8 @@ class PathRun {
 
   PathOptions options_;
   ToolpathOptions toolpath_;
+  PostProcessor post_;
+  LayerTable layers_;
 };
 
 }  // namespace
@@ -177,6 +201,13 @@ void add_path_command(CLI::App& app, Invocation& invocation) {
              "Largest distance of chords from curves, in metres (radius/50, or 0.00001)");
   add_number(*command, "--power-at-s1000", o->power_at_s1000, kPositive,
              "Beam power at S1000 in programs, in watts (the largest of the path; programs set no power)");
+  command->add_option(
+      "--post", o->post,
+      "A JSON file with the dialect of the controller that reads the program (one for GRBL and "
+      "LinuxCNC)");
+  command->add_option(
+      "--layers", o->layers,
+      "A JSON file with radius, speed, power and order of the layers or colours of a drawing");
   on_call(
       *command, invocation, [o] { return PathRun(*o).run(); },
       "kerf path assets/drawings/flange.dxf --compensate right --radius 0.0001 --lead-in 0.001 --out "

@@ -67,6 +67,26 @@ std::vector<double> drawing_times(const std::vector<Pose>& keys) {
   return times;
 }
 
+// Lays a line round the cylinder of a wrapped plane, at kDrawingSpeed on its surface.
+void wrap_line(const DrawnLine& line, Vec2 middle, const JobPlane& plane, StrokePath& stroke) {
+  std::vector<Vec2> points = line.points;
+  if (line.closed) points.push_back(points.front());
+  stroke.range = Interval{0, 2 * plane.wrap};
+  stroke.keys.push_back(plane.wrapped_beam(points.front() - middle));
+  stroke.times.push_back(0);
+  for (size_t i = 1; i < points.size(); ++i) {
+    const Vec2 from = points[i - 1] - middle, to = points[i] - middle;
+    const double length = plane.scale * glm::length(to - from);
+    const auto steps = static_cast<size_t>(std::ceil(std::max(1.0, length / plane.wrap / kWrapStep)));
+    for (size_t k = 1; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(steps);
+      stroke.keys.push_back(plane.wrapped_beam(from + share * (to - from)));
+      const double time = stroke.times.back() + length / static_cast<double>(steps) / kDrawingSpeed;
+      stroke.times.push_back(std::max(time, std::nextafter(stroke.times.back(), 1e300)));
+    }
+  }
+}
+
 double largest_power(std::span<const StrokePath> strokes) {
   double power = 0;
   for (const StrokePath& stroke : strokes) power = std::max(power, stroke.power.value_or(0));
@@ -94,6 +114,15 @@ Vec3 JobPlane::point(Vec2 p, double height) const {
   const auto [sin, cos] = sin_cos(turn);
   const Vec2 q = scale * Vec2(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
   return at + q.x * right + q.y * up - scale * height * beam;
+}
+
+Pose JobPlane::wrapped_beam(Vec2 p) const {
+  KERF_ASSERT(wrap > 0);
+  const auto [turn_sin, turn_cos] = sin_cos(turn);
+  const Vec2 q = scale * Vec2(turn_cos * p.x - turn_sin * p.y, turn_sin * p.x + turn_cos * p.y);
+  const auto [sin, cos] = sin_cos(q.x / wrap);
+  const Vec3 outward = sin * right - cos * beam, axis = at + wrap * beam;
+  return {axis + q.y * up + 2 * wrap * outward, -outward};
 }
 
 Vec3 JobPlane::coordinates(const Vec3& point) const {
@@ -156,6 +185,10 @@ std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 m
   std::vector<StrokePath> strokes;
   for (const DrawnLine& line : lines) {
     StrokePath& stroke = strokes.emplace_back();
+    if (plane.wrap > 0) {
+      wrap_line(line, middle, plane, stroke);
+      continue;
+    }
     for (const Vec2& point : line.points) stroke.keys.push_back({plane.point(point - middle, 0), plane.beam});
     if (line.closed) stroke.keys.push_back(stroke.keys.front());
     stroke.times = drawing_times(stroke.keys);
@@ -197,45 +230,56 @@ Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes) 
   return lines;
 }
 
-Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000) {
+Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000,
+                                  const PostProcessor& post) {
   const double power = power_at_s1000.value_or(largest_power(strokes));
   const auto program = program_of(strokes, power);
   if (!program) return program.error();
-  std::string watts;
-  append_number(watts, power);
-  return gcode_text(*program, "Kerf, " + count_text(strokes.size(), "stroke") + ", S1000 is " + watts + " W");
+  std::string comment = "Kerf, " + count_text(strokes.size(), "stroke") + ", S";
+  append_number(comment, post.full_power);
+  comment += " is ";
+  append_number(comment, power);
+  return gcode_text(*program, comment + " W", post);
+}
+
+namespace {
+
+void code_lines_field(Fields& f, const char* key, std::vector<std::string>& lines) {
+  f.value(
+      key,
+      [&](const JsonValue& value) -> Status {
+        if (const Status list = value.array("lines of G-code"); !list) return list;
+        lines.clear();
+        for (size_t i = 0; i < value.json().size(); ++i) {
+          if (const Status s = assign(value[i].text(), lines.emplace_back()); !s) return s;
+        }
+        return Done{};
+      },
+      [&] { return nlohmann::ordered_json(lines); }, kOptional);
+}
+
+}  // namespace
+
+static void describe(Fields& f, PostProcessor& post) {
+  constexpr NumberRange kFullPower{1e-6, 1e6, ""};
+  f.flag("percent", post.percent, post.percent);
+  code_lines_field(f, "begin", post.begin);
+  code_lines_field(f, "end", post.end);
+  f.filled_text("laser_on", post.laser_on, post.laser_on);
+  f.filled_text("laser_off", post.laser_off, post.laser_off);
+  f.number("full_power", post.full_power, kFullPower, post.full_power);
+  if (f.present("decimals", post.decimals.has_value()))
+    f.whole("decimals", f.reading() ? post.decimals.emplace() : *post.decimals, 0, 17);
+}
+
+Result<PostProcessor> read_post_processor(const std::filesystem::path& file) {
+  return read_described<PostProcessor>(file);
 }
 
 Result<std::string> strokes_svg(std::span<const StrokePath> strokes) {
   const auto lines = plane_lines(strokes);
   if (!lines) return lines.error();
-  Vec2 half{0};
-  for (const DrawnLine& line : *lines) {
-    for (const Vec2& point : line.points) half = glm::max(half, 1000.0 * glm::abs(point));
-  }
-  half = glm::max(half, Vec2(0.5));
-  std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" width=")";
-  append_number(text, 2 * half.x);
-  text += "mm\" height=\"";
-  append_number(text, 2 * half.y);
-  text += "mm\" viewBox=\"";
-  for (const double x : {-half.x, -half.y, 2 * half.x}) {
-    append_number(text, x);
-    text += ' ';
-  }
-  append_number(text, 2 * half.y);
-  text += "\" fill=\"none\" stroke=\"black\" stroke-width=\"0.1\">\n";
-  for (const DrawnLine& line : *lines) {
-    text += "  <path d=\"";
-    for (size_t i = 0; i < line.points.size(); ++i) {
-      text += i == 0 ? "M" : " L";
-      append_number(text, 1000 * line.points[i].x);
-      text += ' ';
-      append_number(text, -1000 * line.points[i].y + 0.0);
-    }
-    text += line.closed ? " Z\"/>\n" : "\"/>\n";
-  }
-  return text + "</svg>\n";
+  return svg_text(*lines);
 }
 
 }  // namespace kerf

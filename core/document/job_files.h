@@ -23,9 +23,15 @@ struct JobPlane {
   Vec3 at{0};       // where the middle of the drawing, or the zero of the program lies [m]
   double turn = 0;  // rad, counter-clockwise as seen along the beam
   double scale = 1;
+  // Radius of the cylinder around which the plane is wrapped [m]; 0: none. The cylinder touches the plane
+  // along the line through `at` in the direction `up`, behind the plane. The beam then goes towards its axis.
+  double wrap = 0;
 
   // Maps a point of the plane, which lies `height` metres before it against the beam.
   Vec3 point(Vec2 p, double height) const;
+  // Maps a point of the wrapped plane to a beam that starts one radius above the cylinder and reaches its
+  // surface there. Precondition: wrap > 0.
+  Pose wrapped_beam(Vec2 p) const;
   // Maps a point of the world to the plane, with the height as its third coordinate. Precondition: turn 0,
   // scale 1.
   Vec3 coordinates(const Vec3& point) const;
@@ -38,6 +44,9 @@ Result<JobPlane> plane_onto(std::string_view axis);
 
 // Speed of the beam along a drawing, which has none [m/s].
 inline constexpr double kDrawingSpeed = 0.02;
+
+// Largest turn of the beam between two keys along a wrapped drawing [rad].
+inline constexpr double kWrapStep = 0.035;
 
 // A file that describes strokes: a path (.json), a drawing (.svg, .dxf) or a program (.nc).
 struct JobFile {
@@ -63,7 +72,8 @@ Result<JobFile> read_job_text(std::string_view text, const std::string& where, J
                               double tolerance);
 
 // Returns the strokes of lines of a drawing, in order, at kDrawingSpeed. A closed line ends at its first
-// point.
+// point. On a wrapped plane the beam turns by at most kWrapStep between two keys, and its range ends at the
+// axis.
 std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 middle, const JobPlane& plane);
 
 // Returns the strokes of a program. X is to the right, Y up and Z against the beam. Times are those of the
@@ -76,7 +86,11 @@ std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& 
 Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes);
 // S is the power at `power_at_s1000` [W]; without that the largest power of the strokes, or 1000, is S1000.
 // Powers that the strokes do not give are S1000.
-Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000);
+Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000,
+                                  const PostProcessor& post = {});
+// Reads the JSON of a post-processor, whose keys are the members of PostProcessor; missing ones keep their
+// defaults.
+Result<PostProcessor> read_post_processor(const std::filesystem::path& file);
 // The page is centred at the zero of the world, so that reading the file restores positions.
 Result<std::string> strokes_svg(std::span<const StrokePath> strokes);
 

@@ -50,7 +50,7 @@ void DrawingBuilder::add(Vec2 point) {
 
 void DrawingBuilder::move_to(Vec2 point, const std::string& layer) {
   end_line();
-  line_.layer = layer;
+  line_.layer = layer.empty() ? layer_ : layer;
   add(point);
 }
 

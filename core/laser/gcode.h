@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,9 +38,20 @@ inline constexpr double kRapidSpeed = 10.0 / 60;
 // column. Linear in the file and the points.
 Result<Program> read_gcode(std::string_view text, const std::string& file, double tolerance);
 
-// Formats a program for GRBL and LinuxCNC in millimetres: each stroke is M3 with its S, feed moves whose F
-// gives the times, and M5. Reading it back restores points and durations of the strokes to rounding.
-// Precondition: strokes as in Program.
-std::string gcode_text(std::span<const ProgramStroke> strokes, const std::string& comment);
+// The dialect of a controller. The default suits GRBL and LinuxCNC.
+struct PostProcessor {
+  bool percent = true;                                      // lines "%" around the program
+  std::vector<std::string> begin{"G21 G90 G91.1 G94 G17"};  // select millimetres and absolute distances
+  std::vector<std::string> end{"M2"};
+  std::string laser_on = "M3", laser_off = "M5";  // of each stroke
+  double full_power = 1000;                       // S of the largest power, > 0
+  std::optional<int> decimals;                    // 0 .. 17; by default as many as restore each number
+};
+
+// Formats a program in millimetres: each stroke is laser_on with its S, feed moves whose F gives the times,
+// and laser_off. `power_word` of a stroke is in thousandths of the largest power. Without `decimals`, reading
+// it back restores points and durations of the strokes to rounding. Precondition: strokes as in Program.
+std::string gcode_text(std::span<const ProgramStroke> strokes, const std::string& comment,
+                       const PostProcessor& post = {});
 
 }  // namespace kerf

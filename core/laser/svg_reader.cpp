@@ -57,6 +57,14 @@ std::string_view property(const pugi::xml_node& node, std::string_view name) {
   return found;
 }
 
+// Returns a colour in lower case, and one of three hexadecimal digits with six.
+std::string colour_name(std::string_view colour) {
+  std::string name(colour.substr(0, 40));
+  for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (name.size() == 4 && name[0] == '#') name = {'#', name[1], name[1], name[2], name[2], name[3], name[3]};
+  return name == "none" ? std::string() : name;
+}
+
 // Interprets the elements of an SVG file.
 class SvgReader {
  public:
@@ -94,7 +102,8 @@ class SvgReader {
   struct Frame {
     PlaneMap map;
     Vec2 viewport{300, 150};
-    bool hidden = false;  // by the property visibility, which is inherited
+    bool hidden = false;        // by the property visibility, which is inherited
+    std::string_view stroke{};  // colour, which is inherited
   };
 
   Error wrong_at(size_t offset, const std::string& what) const {
@@ -251,6 +260,7 @@ class SvgReader {
       if (const auto fault = parse_svg_transform(transform.value(), frame.map))
         return wrong(node, "transform", *fault);
     }
+    if (const auto stroke = property(node, "stroke"); !stroke.empty()) frame.stroke = stroke;
     for (const char* const effect : {"clip-path", "mask", "stroke-dasharray"}) {
       const std::string_view value = property(node, effect);
       if (!value.empty() && value != "none") builder_.leave_out(effect);
@@ -291,6 +301,7 @@ class SvgReader {
 
   Status shape(const pugi::xml_node& node, std::string_view name, const Frame& frame) {
     if (frame.hidden) return Done{};
+    builder_.set_layer(colour_name(frame.stroke));
     if (name == "path") {
       if (const auto fault = add_svg_path(node.attribute("d").value(), frame.map, builder_))
         return wrong(node, "d", *fault);

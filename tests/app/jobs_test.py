@@ -146,6 +146,117 @@ class Jobs(unittest.TestCase):
         self.assertIn('.json, .svg or .nc', self.kerf('path', good, '--out', self.path('x.dxf'), status=2))
         self.assertIn('good.svg', self.kerf('path', good, '--out', good, status=2))
 
+    def area_of_lines(self, drawing):
+        """The area that the lines of a drawing enclose; holes run the other way."""
+        self.kerf('path', drawing, '--out', self.path('lines.json'))
+        with open(self.path('lines.json'), encoding='utf-8') as file:
+            strokes = json.load(file)['strokes']
+        area = 0
+        for stroke in strokes:
+            points = [(key['origin'][0], -key['origin'][2]) for key in stroke['keys']]
+            area += sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:])) / 2
+        return area, len(strokes)
+
+    def test_flat_pieces_have_outlines_of_their_areas(self):
+        nc = self.path('flange.nc')
+        self.kerf('path', os.path.join(DRAWINGS, 'flange.dxf'), '--out', nc, '--compensate', 'right', '--radius', RADIUS)
+        for ending in ('svg', 'dxf'):
+            report = self.cut(self.sheet(.08), '--gcode', nc, '--at', '0,1,0', '--range', '0,2', '--outlines', ending)
+            flange = sorted(report['pieces'], key=lambda piece: piece['area'])[-2]
+            area, lines = self.area_of_lines(self.path('out/' + flange['outline']))
+            self.assertEqual(14, lines)
+            self.assertAlmostEqual(area, flange['area'], delta=1e-12)
+            self.assertAlmostEqual(area, math.pi * (.06**2 - .03**2 - 12 * .004**2), delta=.02 * RADIUS * 2 * math.pi * (.06 + .03 + 12 * .004))
+            outlines = {piece['outline'] for piece in report['pieces']}
+            self.assertEqual(outlines, {name for name in os.listdir(self.path('out')) if name.endswith(('.svg', '.dxf'))})
+
+    def test_a_piece_that_is_not_flat_has_no_outline(self):
+        self.kerf('cut', os.path.join(os.path.dirname(DRAWINGS), 'meshes/sphere.obj'), '--outlines', 'svg', '--out', self.path('out'))
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            report = json.load(file)
+        self.assertNotIn('outline', report['pieces'][0])
+        self.assertIn('1 piece is not flat and has no outline', report['notes'])
+
+    def test_a_post_processor_sets_the_dialect_of_a_program(self):
+        svg = self.write('a.svg', SVG)
+        self.kerf('path', svg, '--out', self.path('a.nc'), '--post', os.path.join(DRAWINGS, 'grbl.json'))
+        with open(self.path('a.nc'), encoding='utf-8') as file:
+            lines = file.read().splitlines()
+        self.assertEqual('G21 G90 G17 G94', lines[1])
+        self.assertEqual(('M4 S1000.0000', 'M5', 'M2'), (lines[3], lines[-2], lines[-1]))
+        self.assertLess(max(map(len, lines)), 80)
+        for name in ('grbl', 'linuxcnc'):
+            self.kerf('path', svg, '--out', self.path('a.nc'), '--post', os.path.join(DRAWINGS, name + '.json'))
+            self.kerf('path', self.path('a.nc'), '--out', self.path('b.json'))
+        wrong = self.write('post.json', '{"on": "M3"}')
+        self.assertIn('post.json: /on', self.kerf('path', svg, '--out', self.path('b.nc'), '--post', wrong, status=2))
+        self.assertIn('--post: requires a program', self.kerf('path', svg, '--out', self.path('b.svg'), '--post', wrong, status=2))
+
+    def test_layers_and_colours_have_settings_and_an_order(self):
+        svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="M10 10h20"/>'
+                                  '<path stroke="#00F" d="M10 20h20"/><path stroke="green" d="M10 30h20"/></svg>')
+        layers = self.write('layers.json', json.dumps({'layers': {
+            '#0000ff': {'speed': .01, 'power': 500, 'order': 1}, 'red': {'radius': .001, 'order': 2}, 'green': {'skip': True},
+            'teal': {}}}))
+        self.assertIn('"teal"', self.kerf('path', svg, '--layers', layers, '--out', self.path('a.json')))
+        with open(self.path('a.json'), encoding='utf-8') as file:
+            blue, red = json.load(file)['strokes']
+        self.assertEqual((500, .001), (blue['laser']['power'], red['laser']['radius']))
+        self.assertAlmostEqual(2, blue['keys'][-1]['t'])
+        self.assertAlmostEqual(1, red['keys'][-1]['t'])
+        report = json.loads('{}')
+        self.kerf('cut', self.sheet(.06), '--drawing', svg, '--layers', layers, '--rim', 'smooth', '--out', self.path('out'))
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            report = json.load(file)
+        # A slot of radius .001 and one of the default.
+        self.assertGreater(report['removed']['area'], .02 * .002)
+        self.assertIn('requires --drawing', self.kerf('cut', self.sheet(1), '--layers', layers, '--out', self.path('o'), status=2))
+
+    def test_the_report_lists_segments_that_are_not_cut_through_and_parts_that_drop_early(self):
+        # Fast along the first segment, slow along the second.
+        keys = [{'t': t, 'origin': [x, 1, 0], 'direction': [0, -1, 0]} for t, x in ((0, -.005), (.0025, 0), (.5025, .005))]
+        path = self.write('a.json', json.dumps({'strokes': [{'laser': {'radius': .0002, 'power': 1000}, 'keys': keys}]}))
+        self.kerf('cut', self.sheet(.05), '--path', path, '--model', 'thermal', '--out', self.path('out'))
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            report = json.load(file)
+        self.assertEqual([(0, 0)], [(s['stroke'], s['segment']) for s in report['uncut']])
+        self.assertTrue(0 < report['uncut'][0]['depth'] < 1)
+        # The outline comes first, so a hole in it is cut in a part that has dropped.
+        square = 'M{0} {0}h{1}v{1}h-{1}z'
+        svg = self.write('b.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path d="' + square.format(20, 60) +
+                         '"/><path d="' + square.format(40, 20) + '"/></svg>')
+        report = self.cut(self.sheet(.05), '--drawing', svg)
+        scrap, = report['scrap']
+        self.assertEqual((1, 0), (scrap['stroke'], scrap['freed_by']))
+        self.assertAlmostEqual(scrap['area'], 4 * .02 * 2 * RADIUS, delta=.01 * scrap['area'])
+        self.kerf('path', svg, '--out', self.path('c.json'), '--compensate', 'right', '--radius', RADIUS)
+        self.kerf('cut', self.sheet(.05), '--path', self.path('c.json'), '--out', self.path('out'), '--range', '0,9', '--rim', 'smooth')
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            self.assertNotIn('scrap', json.load(file))
+
+    def tube(self, radius, length, sectors=360):
+        """An open tube round the z axis."""
+        ring = [(radius * math.cos(2 * math.pi * i / sectors), radius * math.sin(2 * math.pi * i / sectors)) for i in range(sectors)]
+        text = ''.join('v {} {} {}\n'.format(x, y, z) for z in (-length / 2, length / 2) for x, y in ring)
+        for i in range(sectors):
+            j = (i + 1) % sectors
+            text += f'f {i + 1} {j + 1} {sectors + j + 1}\nf {i + 1} {sectors + j + 1} {sectors + i + 1}\n'
+        return self.write('tube.obj', text)
+
+    def test_a_wrapped_drawing_cuts_windows_of_its_size_in_the_near_wall(self):
+        square = 'M35 35h30v30h-30z'  # 30 mm, about the middle
+        svg = self.write('a.svg', f'<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path d="{square}"/></svg>')
+        for at in ([], ['--at', '0,.025,0']):
+            report = self.cut(self.tube(.025, .1), '--drawing', svg, '--onto', '-y', '--wrap', .025, *at)
+            drop, = self.areas(report)
+            self.assertAlmostEqual(drop, (.03 - 2 * RADIUS)**2, delta=2e-3 * drop)
+            # The far wall is whole: only the border of the drop is removed.
+            self.assertAlmostEqual(report['removed']['area'], .12 * 2 * RADIUS, delta=.02 * .12 * 2 * RADIUS)
+            window = min(report['pieces'], key=lambda piece: abs(piece['area'] - drop))
+            # The centroid of an arc of .03 on the radius .025.
+            self.assertAlmostEqual(window['centroid'][1], .025 * math.sin(.6) / .6, delta=1e-4)
+        self.assertIn('--wrap: requires --drawing', self.kerf('cut', self.sheet(1), '--wrap', 1, '--out', self.path('o'), status=2))
+
     def compare(self, *arguments):
         done = subprocess.run([KERF, 'compare', *map(str, arguments)], capture_output=True, text=True, check=False)
         self.assertEqual(0, done.returncode, done.stderr)

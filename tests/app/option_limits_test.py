@@ -19,7 +19,7 @@ BEGINNINGS = {"prepare": ["none.obj", "--out", "a.obj", "--subdivide", "loop"], 
               "figures": ["--out", "f", "--list", "none.json"], "cut": ["none.obj", "--out", "o"]}
 
 # What some options of a cut require.
-REQUIRED = {"ground": ["--settle", "1"], "turn": ["--drawing", "none.svg"], "scale": ["--drawing", "none.svg"],
+REQUIRED = {"ground": ["--settle", "1"], "turn": ["--drawing", "none.svg"], "scale": ["--drawing", "none.svg"], "wrap": ["--drawing", "none.svg"],
             "power-at-s1000": ["--gcode", "none.nc"]}
 
 

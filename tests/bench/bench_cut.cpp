@@ -6,6 +6,7 @@
 #include "core/mesh/build_mesh.h"
 #include "core/world/body_mass.h"
 #include "tests/bench/sections.h"
+#include "tests/bench/slot_walk.h"
 #include "tests/bench/timing.h"
 
 namespace kerf::bench {
@@ -18,7 +19,6 @@ constexpr double kWallsBar = 50;      // ms that walls may take beside the rim
 constexpr double kJobBar = 1.0 / 20;  // of CGAL
 constexpr double kManifoldBar = 1.0 / 12;
 constexpr double kSeparationBar = 500;            // ns per removed face
-constexpr double kRadii = 500, kEdges = 1000;     // the longest side of the mesh in these units
 constexpr uint32_t kHole = 20000, kOneStep = 50;  // faces
 
 Body body_of(const Subject& s) {
@@ -38,107 +38,6 @@ Soup soup_of(const TriangleArrays& arrays) {
   for (size_t i = 0; i < arrays.corners.size(); i += 3)
     soup.triangles.push_back({arrays.corners[i], arrays.corners[i + 1], arrays.corners[i + 2]});
   return soup;
-}
-
-// A straight slot through the middle, across the longest side, the beam along the shortest.
-struct Slot {
-  Vec3 low, high, middle;
-  int along = 0, across = 0, beam = 0;
-
-  explicit Slot(const Bounds& box) : low(box.min), high(box.max), middle(0.5 * (box.min + box.max)) {
-    const Vec3 size = high - low;
-    for (int k = 1; k < 3; ++k) {
-      if (size[k] > size[across]) across = k;
-    }
-    beam = across == 0 ? 1 : 0;
-    along = 3 - across - beam;
-    if (size[along] < size[beam]) std::swap(along, beam);
-  }
-  double length() const { return high[across] - low[across]; }
-  double radius() const { return length() / kRadii; }
-  SlotBox box() const { return {low, high, middle, across, radius()}; }
-
-  Pose pose(double share) const {
-    Pose p{middle, Vec3(0)};
-    const double reach = 0.6 * (high[along] - low[along]);
-    p.origin[along] += (2 * share - 1) * reach;
-    p.origin[beam] -= length();
-    p.direction[beam] = 1;
-    return p;
-  }
-  CutSettings settings() const {
-    CutSettings settings;
-    settings.laser.radius = radius();
-    settings.laser.range = {0, 4 * length()};
-    settings.resolution.target_edge = length() / kEdges;
-    return settings;
-  }
-  CutSettings smooth_settings() const {
-    CutSettings smooth = settings();
-    smooth.resolution.rim = Rim::kSmooth;
-    return smooth;
-  }
-  // As a user would who wants the piece: what goes may overshoot the beam by half of its width.
-  CutSettings quick_settings() const {
-    CutSettings quick = settings();
-    quick.resolution.rule = Resolution::Rule::kTolerance;
-    quick.resolution.tolerance = radius();
-    return quick;
-  }
-};
-
-struct Walked {
-  std::vector<double> steps;  // s, of all
-  std::vector<bool> removed;  // by step: it removed something
-  double seconds = 0;         // of all together
-  size_t turned = 0;          // faces born or gone
-  size_t walls = 0;           // faces
-
-  double longest() const { return *std::max_element(steps.begin(), steps.end()); }
-  // Of the steps that removed something.
-  double median_step() const {
-    std::vector<double> some;
-    for (size_t i = 0; i < steps.size(); ++i) {
-      if (removed[i]) some.push_back(steps[i]);
-    }
-    return some.empty() ? 0 : median(some);
-  }
-};
-
-Walked walk_slot(World& world, const Slot& slot, const CutSettings& settings, int moves) {
-  Walked walked;
-  UnfinishedMove unfinished;
-  const auto note = [&](const StepResult& result, double seconds) {
-    walked.seconds += seconds;
-    walked.turned += 2 * result.delta.removed_faces + result.statistics.faces_made;
-    walked.walls += result.delta.solid.wall_faces;
-    walked.steps.push_back(seconds);
-    walked.removed.push_back(result.delta.removed_faces > 0);
-  };
-  const auto move_at = [&](int i) {
-    return BeamMove{slot.pose(double(i) / moves), slot.pose(double(i + 1) / moves)};
-  };
-  for (int i = 0; i < moves;) {
-    const BeamMove move = move_at(i);
-    Result<StepResult> result = failed("");
-    const double seconds = seconds_of([&] { result = cut_step(world, settings, {&move, 1}, unfinished); });
-    note(*result, seconds);
-    i += static_cast<int>(result->moves);
-  }
-  UnfinishedRim rim;
-  std::vector<BeamMove> path;
-  for (int i = 0; i < moves; ++i) path.push_back(move_at(i));
-  for (bool closed = !settings.smooth(); !closed; closed = !rim.begun()) {
-    Result<StepResult> result = failed("");
-    const double seconds = seconds_of([&] { result = rim_step(world, settings, path, {}, rim); });
-    note(*result, seconds);
-  }
-  while (!is_settled(world)) {
-    StepResult result;
-    const double seconds = seconds_of([&] { result = continue_separation(world, settings.search_a_move); });
-    note(result, seconds);
-  }
-  return walked;
 }
 
 // Faces around the first, nearest first.
@@ -185,7 +84,7 @@ void bench_job(const Subject& s, const Effort& effort, const Report& report) {
   World world;
   const BodyId id = world.add(body_of(s));
   const Slot slot(world.body(id).bounds());
-  const Walked walked = walk_slot(world, slot, slot.quick_settings(), effort.slot_steps);
+  const Walked walked = walk(world, slot.quick_settings(), slot.path(effort.slot_steps));
   if (const auto peer = cgal_slot_seconds(s.arrays, slot.box()))
     report({"slot into pieces / CGAL difference + split", s.name, "ms", 1e3 * walked.seconds, 1e3 * *peer,
             kJobBar});
@@ -207,7 +106,7 @@ void bench_pieces(const Subject& s, const Effort& effort, const Report& report) 
     const auto start = passed_seconds();
     const BodyId id = world.add(make_body(s.name, std::move(*build_mesh(soup_of(s.arrays)))));
     const Slot slot(world.body(id).bounds());
-    our_slot.push_back(walk_slot(world, slot, slot.quick_settings(), effort.slot_steps).seconds);
+    our_slot.push_back(walk(world, slot.quick_settings(), slot.path(effort.slot_steps)).seconds);
     for (const auto& faces : faces_by_piece(world.body(id), false)) extract_faces(world.body(id), faces);
     ours.push_back(passed_seconds() - start);
     const auto peer = manifold_slot(s.arrays, slot.box());
@@ -231,7 +130,7 @@ Walked walk_three_times(const Subject& s, const Effort& effort, CutSettings (Slo
     const BodyId id = world.add(body_of(s));
     if (solid) make_solid(world.body(id), true);
     const Slot slot(world.body(id).bounds());
-    runs.push_back(walk_slot(world, slot, (slot.*settings)(), effort.slot_steps));
+    runs.push_back(walk(world, (slot.*settings)(), slot.path(effort.slot_steps)));
   }
   Walked shortest = runs.front();
   for (const Walked& run : runs) {
@@ -247,13 +146,13 @@ void bench_rim(const Subject& s, const Effort& effort, const Report& report) {
   const Walked walked = walk_three_times(s, effort, &Slot::smooth_settings);
   if (walked.steps.empty()) return;
   report({"slot with a smooth rim, longest / median step", s.name, "us", 1e6 * walked.longest(),
-          1e6 * walked.median_step(), kLongestBar});
-  report({"slot with a smooth rim, per new or removed face", s.name, "us",
-          1e6 * walked.seconds / static_cast<double>(walked.turned), kFaceBar, std::nullopt});
+          1e6 * walked.quantile(0.5), kLongestBar});
+  report({"slot with a smooth rim, per new or removed face", s.name, "us", 1e6 * walked.per_face(), kFaceBar,
+          std::nullopt});
   const Walked solid = walk_three_times(s, effort, &Slot::smooth_settings, true);
   if (solid.walls == 0) return;  // not closed before
   report({"slot through a solid, longest / median step", s.name, "us", 1e6 * solid.longest(),
-          1e6 * solid.median_step(), kLongestBar});
+          1e6 * solid.quantile(0.5), kLongestBar});
   report({"walls of the slot, beside the rim / limit", s.name, "ms", 1e3 * (solid.seconds - walked.seconds),
           kWallsBar, 1.0});
 }
@@ -261,9 +160,8 @@ void bench_rim(const Subject& s, const Effort& effort, const Report& report) {
 void bench_steps(const Subject& s, const Effort& effort, const Report& report) {
   const Walked walked = walk_three_times(s, effort, &Slot::settings);
   if (walked.steps.empty()) return;
-  report({"slot, per new or removed face / limit", s.name, "us",
-          1e6 * walked.seconds / static_cast<double>(walked.turned), kFaceBar, 1.0});
-  report({"slot, longest / median step", s.name, "us", 1e6 * walked.longest(), 1e6 * walked.median_step(),
+  report({"slot, per new or removed face / limit", s.name, "us", 1e6 * walked.per_face(), kFaceBar, 1.0});
+  report({"slot, longest / median step", s.name, "us", 1e6 * walked.longest(), 1e6 * walked.quantile(0.5),
           kLongestBar});
 }
 

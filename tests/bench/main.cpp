@@ -6,6 +6,7 @@
 
 #include "tests/bench/run_progress.h"
 #include "tests/bench/sections.h"
+#include "tests/support/checkout.h"
 
 namespace kerf::bench {
 namespace {
@@ -17,8 +18,8 @@ void say_what_is_skipped() {
     std::printf("KERF_MANIFOLD named no build of Manifold: the rows beside it are skipped\n");
 }
 
-const Effort kTiny{50, 3, 1, 20, 20, 10, 1, 60, 3, 1};
-const Effort kLong{.published_cuts = 34};
+const Effort kTiny{50, 3, 1, 20, 20, 10, 1, 60, 3, 1, 2000, 1000, 3};
+const Effort kLong{.published_cuts = 34, .scale_faces = 30'000'000};
 
 struct Section {
   std::string name;
@@ -38,6 +39,8 @@ std::vector<Section> all_sections(const Effort& effort) {
           {"files", bench_files, true, 7},
           {"fall", bench_fall, false, 18},
           {"game", bench_game, false, 14},
+          {"scale", bench_scale, false, 7},
+          {"league", bench_league, false, 5},
           {"laser", bench_laser, false, 2 * effort.published_cuts}};
 }
 
@@ -45,6 +48,12 @@ std::vector<std::string> names_of(const std::vector<Section>& sections) {
   std::vector<std::string> names;
   for (const Section& s : sections) names.push_back(s.name);
   return names;
+}
+
+// These have a table of their own on the page.
+std::vector<Row> without_published_cuts(std::vector<Row> rows) {
+  std::erase_if(rows, [](const Row& row) { return row.unit == "m/min"; });
+  return rows;
 }
 
 // The chosen sections, on the chosen meshes where they are of a mesh.
@@ -112,12 +121,16 @@ int main(int argc, char** argv) {
   std::string json;
   std::vector<std::string> only;
   std::vector<std::string> sections = names_of(all_sections({}));
-  bool tiny = false, everything = false;
+  bool tiny = false, everything = false, write = false;
   app.add_option("--json", json, "Write the table to this file as well");
   app.add_option("--mesh", only, "Only these meshes");
   app.add_flag("--tiny", tiny, "Small inputs, to see that it runs");
   app.add_flag("--long", everything, "Also what takes longer than ten minutes")->excludes("--tiny");
   app.add_option("--section", sections, "Only these sections")->check(CLI::IsMember(sections));
+  app.add_flag("--write", write, "Write the table to the page of the benchmarks")
+      ->excludes("--mesh")
+      ->excludes("--tiny")
+      ->excludes("--section");
   CLI11_PARSE(app, argc, argv);
 
   say_what_is_skipped();
@@ -130,7 +143,12 @@ int main(int argc, char** argv) {
   });
   const std::vector<Row> rows =
       Run(effort, std::move(selected), only.empty() ? subject_names(tiny) : only).all();
-  if (json.empty() || write_json(rows, json)) return 0;
-  std::fprintf(stderr, "kerf: could not write %s\n", json.c_str());
-  return 1;
+  const auto failed = [](const std::string& file) {
+    std::fprintf(stderr, "kerf: could not write %s\n", file.c_str());
+    return 1;
+  };
+  if (!json.empty() && !write_json(rows, json)) return failed(json);
+  const std::filesystem::path page = kerf::test::checkout() / "tests" / "bench" / "README.md";
+  if (write && !write_page(without_published_cuts(rows), page)) return failed(page.string());
+  return 0;
 }

@@ -26,6 +26,14 @@ manifold::MeshGL mesh_of(const TriangleArrays& arrays) {
   return mesh;
 }
 
+Manifold box_of(const SlotBar& slot) {
+  constexpr double kBeam = 100;  // m, through everything
+  const Vec3 across = glm::cross(slot.beam, slot.along);
+  const auto vec = [](const Vec3& v) { return vec3(v.x, v.y, v.z); };
+  return Manifold::Cube(vec3(slot.length, 2 * slot.radius, kBeam), true)
+      .Transform(manifold::mat3x4(vec(slot.along), vec(across), vec(slot.beam), vec(slot.middle)));
+}
+
 }  // namespace
 
 bool has_manifold() { return true; }
@@ -46,6 +54,19 @@ std::optional<ManifoldSlot> manifold_slot(const TriangleArrays& arrays, const Sl
       },
       passed_seconds);
   return parts > 0 ? std::optional(ManifoldSlot{import_s, cut_s}) : std::nullopt;
+}
+
+std::optional<double> manifold_seconds(const TriangleArrays& arrays, std::span<const SlotBar> slots) {
+  Manifold part(mesh_of(arrays));
+  if (part.Status() != Manifold::Error::NoError) return std::nullopt;
+  return seconds_of(
+      [&] {
+        for (const SlotBar& slot : slots) {
+          part -= box_of(slot);
+          (void)part.Status();  // which computes it
+        }
+      },
+      passed_seconds);
 }
 
 }  // namespace kerf::bench

@@ -50,6 +50,16 @@ struct ManifoldSlot {
 };
 std::optional<ManifoldSlot> manifold_slot(const TriangleArrays& arrays, const SlotBox& slot);
 
+// A slot of this length along a unit vector through its middle, cut by a beam along another; `radius` is half
+// of its width.
+struct SlotBar {
+  Vec3 middle, along, beam;
+  double length, radius;
+};
+// Returns the elapsed time in which Manifold subtracts a box for each slot, one after the other, on all
+// threads and without the import.
+std::optional<double> manifold_seconds(const TriangleArrays& arrays, std::span<const SlotBar> slots);
+
 bool has_embree();
 bool has_cgal();
 bool has_manifold();

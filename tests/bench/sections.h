@@ -18,7 +18,9 @@ struct Effort {
   int cuts = 5;           // along each axis, through the car that collapses
   size_t match_ticks = 2400;
   int heat_ticks = 31;
-  size_t published_cuts = 6;  // 34 in a long run
+  size_t published_cuts = 6;        // 34 in a long run
+  size_t scale_faces = 10'000'000;  // 30 million in a long run with 16 GB of memory
+  size_t league_faces = 276'000, league_cuts = 100;
 };
 
 // Each section measures one thing on one mesh and hands over its rows. Rows that want a peer which this
@@ -41,6 +43,12 @@ void bench_fall(const Subject& subject, const Effort& effort, const Report& repo
 
 // On the standard match, whatever the subject: all five enemies of its last wave are alive.
 void bench_game(const Subject& subject, const Effort& effort, const Report& report);
+
+// A slot through a mesh made here, whatever the subject, compared with one of a tenth of its faces.
+void bench_scale(const Subject& subject, const Effort& effort, const Report& report);
+
+// Random slots through a solid knot made here, one after the other, whatever the subject.
+void bench_league(const Subject& subject, const Effort& effort, const Report& report);
 
 // Published speeds of laser cuts beside those of the thermal model, whatever the subject: no times.
 void bench_laser(const Subject& subject, const Effort& effort, const Report& report);

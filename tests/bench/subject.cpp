@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 
 #include "core/base/random.h"
 #include "core/mesh/mesh_file.h"
@@ -12,6 +13,8 @@ namespace kerf::bench {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
+constexpr double kRingsPerSector = 46.0 / 30, kRingsPerSectorOfKnot = 12;
+constexpr double kStep = 1e-5;  // along the middle of the knot, for its direction
 
 std::filesystem::path file_of(const std::string& name) {
   const char* folder = std::getenv("KERF_TEST_MESHES");
@@ -19,40 +22,30 @@ std::filesystem::path file_of(const std::string& name) {
   return name == "bunny" ? real / "classic" / "bunny.off" : real / "derived" / "big_bunny_x16.ply";
 }
 
-// A torus with knobs, of 2 * rings * sectors faces.
-Soup knobbly_torus(int rings, int sectors) {
+using Along = std::function<Vec3(double, double)>;  // both in 0 .. 2 pi
+
+// A closed surface of 2 * rings * sectors faces.
+Soup closed_surface(int rings, int sectors, const Along& at) {
   Soup soup;
   for (int i = 0; i < rings; ++i) {
-    for (int j = 0; j < sectors; ++j) {
-      const double u = 2 * kPi * i / rings, v = 2 * kPi * j / sectors;
-      const double thick = 0.3 + 0.03 * std::sin(9 * u) * std::sin(7 * v) + 0.01 * std::sin(31 * u + 23 * v);
-      const double from_axis = 1 + thick * std::cos(v);
-      soup.positions.push_back({from_axis * std::cos(u), thick * std::sin(v), from_axis * std::sin(u)});
-    }
+    for (int j = 0; j < sectors; ++j)
+      soup.positions.push_back(at(2 * kPi * i / rings, 2 * kPi * j / sectors));
   }
-  const auto at = [&](int i, int j) { return static_cast<uint32_t>(i % rings * sectors + j % sectors); };
+  const auto index = [&](int i, int j) { return static_cast<uint32_t>(i % rings * sectors + j % sectors); };
   for (int i = 0; i < rings; ++i) {
     for (int j = 0; j < sectors; ++j) {
-      soup.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
-      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+      soup.triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+      soup.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
     }
   }
   return soup;
 }
 
 Soup soup_of(const std::string& name) {
-  if (name == "tiny") return knobbly_torus(24, 16);
-  if (name == "torus") return knobbly_torus(460, 300);
+  if (name == "tiny") return knobbly_torus(768);
+  if (name == "torus") return knobbly_torus(276000);
   auto soup = read_mesh(file_of(name));
   return soup ? std::move(*soup) : Soup{};
-}
-
-Vec3 random_direction(Random& random) {
-  for (;;) {
-    const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    const double length2 = glm::dot(v, v);
-    if (length2 > 1e-3 && length2 <= 1) return v / std::sqrt(length2);
-  }
 }
 
 void across(const Vec3& d, Vec3& u, Vec3& w) {
@@ -61,6 +54,33 @@ void across(const Vec3& d, Vec3& u, Vec3& w) {
 }
 
 }  // namespace
+
+Soup knobbly_torus(size_t faces) {
+  const int rings =
+      static_cast<int>(std::lround(std::sqrt(static_cast<double>(faces) * kRingsPerSector / 2)));
+  return closed_surface(rings, static_cast<int>(faces / 2) / rings, [](double u, double v) {
+    const double thick = 0.3 + 0.03 * std::sin(9 * u) * std::sin(7 * v) + 0.01 * std::sin(31 * u + 23 * v);
+    const double from_axis = 1 + thick * std::cos(v);
+    return Vec3(from_axis * std::cos(u), thick * std::sin(v), from_axis * std::sin(u));
+  });
+}
+
+Vec3 TrefoilKnot::middle(double u) const {
+  const double from_axis = 1 + 0.5 * std::cos(3 * u);
+  return {from_axis * std::cos(2 * u), 0.5 * std::sin(3 * u), from_axis * std::sin(2 * u)};
+}
+
+// The middle runs on a torus, whose normal is perpendicular to it.
+Soup TrefoilKnot::soup(size_t faces) const {
+  const int sectors =
+      static_cast<int>(std::lround(std::sqrt(static_cast<double>(faces) / 2 / kRingsPerSectorOfKnot)));
+  return closed_surface(static_cast<int>(faces / 2) / sectors, sectors, [this](double u, double v) {
+    const Vec3 normal(std::cos(3 * u) * std::cos(2 * u), std::sin(3 * u), std::cos(3 * u) * std::sin(2 * u));
+    const Vec3 along = glm::normalize(middle(u + kStep) - middle(u - kStep));
+    const Vec3 other = glm::normalize(glm::cross(along, normal));
+    return middle(u) + radius * (std::cos(v) * glm::cross(other, along) + std::sin(v) * other);
+  });
+}
 
 std::vector<std::string> subject_names(bool tiny) {
   if (tiny) return {"tiny"};
@@ -110,6 +130,14 @@ std::vector<Pose> sweep_rays(const Subject& s, int steps) {
     }
   }
   return rays;
+}
+
+Vec3 random_direction(Random& random) {
+  for (;;) {
+    const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const double length2 = glm::dot(v, v);
+    if (length2 > 1e-3 && length2 <= 1) return v / std::sqrt(length2);
+  }
 }
 
 std::vector<Pose> random_chords(const Subject& s, int count) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.h"
+#include "core/mesh/files/soup.h"
 #include "core/mesh/mesh.h"
 #include "core/tree/swept_cylinder.h"
 #include "tests/bench/peer.h"
@@ -20,6 +22,19 @@ struct Subject {
   double reach() const { return 4 * radius; }
   double steps_apart() const { return 0.004 * radius; }  // of the rays of a step
 };
+
+// A torus with knobs, of about this many faces.
+Soup knobbly_torus(size_t faces);
+
+// A tube along a trefoil knot.
+struct TrefoilKnot {
+  static constexpr double radius = 0.2;  // m
+
+  Vec3 middle(double u) const;    // u: 0 .. 2 pi, once along the knot
+  Soup soup(size_t faces) const;  // of about this many faces
+};
+
+Vec3 random_direction(Random& random);
 
 // The bunny and its refinement of a million faces, where KERF_TEST_MESHES has them, and a mesh made here.
 // With `tiny` only a small one made here.

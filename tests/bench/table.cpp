@@ -1,10 +1,17 @@
 #include "tests/bench/table.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
+#include <map>
+#include <thread>
 
 #include "core/base/json.h"
+#include "tests/support/checkout.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::bench {
 
@@ -16,9 +23,91 @@ double rounded(double x) {
   return std::round(x / step) * step;
 }
 
+// The first line that a command prints; empty if it fails.
+std::string first_line_of(const std::string& command) {
+  char line[256] = "";
+  FILE* const out = popen(command.c_str(), "r");
+  if (!out) return line;
+  if (!std::fgets(line, sizeof line, out)) line[0] = 0;
+  pclose(out);
+  const std::string text = line;
+  return text.substr(0, text.find('\n'));
+}
+
+// The columns of the meshes on the page; other inputs have the last one, with their name in the first.
+constexpr std::array kMeshes{"torus", "bunny", "big_bunny"};
+size_t column_of(const Row& row) {
+  return static_cast<size_t>(std::find(kMeshes.begin(), kMeshes.end(), row.mesh) - kMeshes.begin());
+}
+
+std::string entry_of(const Row& row) {
+  char text[128];
+  const char* const bold = row.holds() ? "" : "**";
+  std::snprintf(text, sizeof text, "%.3g / %.3g = %s%.3g%s", row.ours, row.peer, bold, row.ratio(), bold);
+  return text;
+}
+
+// A line of the page's table.
+struct Line {
+  std::string name, unit, bar;
+  std::array<std::string, kMeshes.size() + 1> entries;
+};
+
+std::vector<Line> lines_of(const std::vector<Row>& rows) {
+  std::vector<Line> lines;
+  std::map<std::string, size_t> index;
+  for (const Row& row : rows) {
+    const size_t column = column_of(row);
+    const std::string name = column < kMeshes.size() ? row.row : row.mesh + ": " + row.row;
+    const auto [at, is_new] = index.try_emplace(name, lines.size());
+    if (is_new) lines.push_back({name, row.unit, "", {}});
+    Line& line = lines[at->second];
+    line.entries[column] = entry_of(row);
+    char bar[32];
+    if (row.bar && std::snprintf(bar, sizeof bar, "%.3g", *row.bar) > 0) line.bar = bar;
+  }
+  return lines;
+}
+
+std::string page_table(const std::vector<Row>& rows) {
+  std::string text = machine_and_commit() +
+                     ".\n\n| quantity | unit | torus, 276 k | bunny, 70 k | bunny, 1.1 M | other | target |\n"
+                     "|---|---|---|---|---|---|---|\n";
+  for (const Line& line : lines_of(rows)) {
+    text += "| " + line.name + " | " + line.unit + " |";
+    for (const std::string& entry : line.entries) text += " " + entry + " |";
+    text += " " + line.bar + " |\n";
+  }
+  return text;
+}
+
 }  // namespace
 
+std::string machine_and_commit() {
+  const std::string model = first_line_of("sed -n 's/^model name[^:]*: //p' /proc/cpuinfo"),
+                    commit = first_line_of("git -C '" + test::checkout().string() +
+                                           "' describe --always --abbrev=8 --dirty 2>/dev/null");
+  char date[32];
+  const std::time_t now = std::time(nullptr);
+  std::strftime(date, sizeof date, "%d %b %Y", std::localtime(&now));
+  return (model.empty() ? "Unknown processor" : model) + ", " +
+         std::to_string(std::thread::hardware_concurrency()) + " processors, commit " +
+         (commit.empty() ? "unknown" : commit) + ", " + date;
+}
+
+bool write_page(const std::vector<Row>& rows, const std::filesystem::path& page) {
+  const std::string begin = "<!-- table -->\n", end = "<!-- end of table -->";
+  std::string text = test::read_text(page);
+  const size_t from = text.find(begin), to = text.find(end);
+  if (from == std::string::npos || to == std::string::npos) return false;
+  text.replace(from + begin.size(), to - from - begin.size(), page_table(rows));
+  std::ofstream out(page);
+  out << text;
+  return out.good();
+}
+
 void print_header() {
+  std::printf("%s\n", machine_and_commit().c_str());
   std::printf("%-58s %-10s %-9s %12s %12s %9s %9s\n", "row", "mesh", "unit", "ours", "peer", "ratio", "bar");
 }
 

@@ -32,10 +32,14 @@ double seconds_of(Work&& work, Clock clock = cpu_seconds) {
   return clock() - start;
 }
 
-inline double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+// Returns the value below which this share of the values lies. Precondition: there are values.
+inline double quantile(std::vector<double> values, double share) {
+  const auto rank = static_cast<size_t>(share * static_cast<double>(values.size()));
+  const auto at = values.begin() + static_cast<long>(std::min(rank, values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
+inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 // Medians of two kinds of work that are done in turn, so that what else the machine does falls on both.
 struct Pair {

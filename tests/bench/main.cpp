@@ -39,7 +39,7 @@ std::vector<Section> all_sections(const Effort& effort) {
           {"files", bench_files, true, 7},
           {"fall", bench_fall, false, 18},
           {"game", bench_game, false, 14},
-          {"scale", bench_scale, false, 7},
+          {"scale", bench_scale, false, 6},
           {"league", bench_league, false, 5},
           {"laser", bench_laser, false, 2 * effort.published_cuts}};
 }

@@ -43,13 +43,14 @@ size_t column_of(const Row& row) {
 std::string entry_of(const Row& row) {
   char text[128];
   const char* const bold = row.holds() ? "" : "**";
-  std::snprintf(text, sizeof text, "%.3g / %.3g = %s%.3g%s", row.ours, row.peer, bold, row.ratio(), bold);
+  std::snprintf(text, sizeof text, "%.3g / %.3g %s = %s%.3g%s", row.ours, row.peer, row.unit.c_str(), bold,
+                row.ratio(), bold);
   return text;
 }
 
 // A line of the page's table.
 struct Line {
-  std::string name, unit, bar;
+  std::string name, bar;
   std::array<std::string, kMeshes.size() + 1> entries;
 };
 
@@ -60,7 +61,7 @@ std::vector<Line> lines_of(const std::vector<Row>& rows) {
     const size_t column = column_of(row);
     const std::string name = column < kMeshes.size() ? row.row : row.mesh + ": " + row.row;
     const auto [at, is_new] = index.try_emplace(name, lines.size());
-    if (is_new) lines.push_back({name, row.unit, "", {}});
+    if (is_new) lines.push_back({name, "", {}});
     Line& line = lines[at->second];
     line.entries[column] = entry_of(row);
     char bar[32];
@@ -71,10 +72,10 @@ std::vector<Line> lines_of(const std::vector<Row>& rows) {
 
 std::string page_table(const std::vector<Row>& rows) {
   std::string text = machine_and_commit() +
-                     ".\n\n| quantity | unit | torus, 276 k | bunny, 70 k | bunny, 1.1 M | other | target |\n"
-                     "|---|---|---|---|---|---|---|\n";
+                     ".\n\n| quantity | torus, 276 k | bunny, 70 k | bunny, 1.1 M | other | target |\n"
+                     "|---|---|---|---|---|---|\n";
   for (const Line& line : lines_of(rows)) {
-    text += "| " + line.name + " | " + line.unit + " |";
+    text += "| " + line.name + " |";
     for (const std::string& entry : line.entries) text += " " + entry + " |";
     text += " " + line.bar + " |\n";
   }

@@ -22,6 +22,7 @@ Result<AabbTree> AabbTree::build(const Mesh& mesh, const Progress* progress) {
   AabbTree tree;
   if (!bounds || !build_tree(tree.store_, mesh, TreeFrame::around(*bounds), &building)) return cancelled();
   tree.leaf_count_ = mesh.live_faces();
+  tree.built_slots_ = mesh.face_slots();
   if (!bounds->is_none()) tree.set_bounds(*bounds);
   return tree;
 }
@@ -36,6 +37,7 @@ void AabbTree::rebuild(const Mesh& mesh, TreeFrame frame) {
   store_ = TreeStore();
   build_tree(store_, mesh, frame, nullptr, shape);
   leaf_count_ = mesh.live_faces();
+  built_slots_ = mesh.face_slots();
   set_bounds(bounds.is_none() ? Bounds{} : bounds);
   loose_ = 0;
 }
@@ -247,9 +249,12 @@ void AabbTree::for_each_box(const Mesh& mesh, const std::function<void(const Box
       const FaceBlock& block = store_.blocks[v.child.index()];
       const unsigned lanes = hit_lanes(mesh, block);
       if (block.count > 1) visit(box_of(v.box, v.depth, false, lanes != 0));
-      for (uint32_t lane = 0; lane < block.count; ++lane)
-        visit(box_of(store_.face_box(block, lane), v.depth + (block.count > 1), true,
-                     (lanes >> lane & 1) != 0));
+      for (uint32_t lane = 0; lane < block.count; ++lane) {
+        Box leaf =
+            box_of(store_.face_box(block, lane), v.depth + (block.count > 1), true, (lanes >> lane & 1) != 0);
+        leaf.edited = is_edited(mesh, FaceId(block.face[lane]));
+        visit(leaf);
+      }
       continue;
     }
     visit(box_of(v.box, v.depth, false, hit[v.child.index()]));
@@ -259,6 +264,25 @@ void AabbTree::for_each_box(const Mesh& mesh, const std::function<void(const Box
       stack.push_back({node.child[s], store_.slot_box(v.child.index(), s), v.depth + 1});
     }
   }
+}
+
+std::vector<AabbTree::Box> AabbTree::path_to(const Mesh& mesh, FaceId f) const {
+  std::vector<Box> path;
+  const uint32_t place = store_.place(f);
+  if (place == kNoIndex) return path;
+  const FaceBlock& block = store_.blocks[place / kBlockWidth];
+  const uint32_t lane = place % kBlockWidth;
+  path.push_back(box_of(store_.face_box(block, lane), 0, true, mesh.data(f).hit));
+  path.back().edited = is_edited(mesh, f);
+  if (block.count > 1) path.push_back(box_of(store_.block_box(block), 0, false, false));
+  for (uint32_t n = block.parent; n != kNoIndex; n = store_.nodes[n].parent) {
+    const bool is_root = n == store_.root;
+    path.push_back(box_of(is_root ? store_.root_box() : store_.node_box(store_.nodes[n]), 0, false, false));
+    if (is_root) break;
+  }
+  std::reverse(path.begin(), path.end());
+  for (size_t depth = 0; depth < path.size(); ++depth) path[depth].depth = static_cast<int>(depth);
+  return path;
 }
 
 // A face reaches a side if its floats do: rounding may count too many, never too few.

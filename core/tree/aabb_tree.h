@@ -113,13 +113,18 @@ class AabbTree {
   // A box of the tree, for display, in metres in the frame of the mesh.
   struct Box {
     Vec3 min, max;
-    int depth = 0;      // 0 at the root
-    bool leaf = false;  // the box of one face
-    bool hit = false;   // it contains a face with FaceData::hit
+    int depth = 0;        // 0 at the root
+    bool leaf = false;    // the box of one face
+    bool hit = false;     // it contains a face with FaceData::hit
+    bool edited = false;  // the box of a face that was split, or added since the tree was built
   };
   // Visits all boxes, parents before children. Visits a block of a single face once, as the box of that face.
   // O(n).
   void for_each_box(const Mesh& mesh, const std::function<void(const Box&)>& visit) const;
+
+  // Returns the boxes from the root to a face, each within the one before; empty if the face is not in the
+  // tree. O(depth).
+  std::vector<Box> path_to(const Mesh& mesh, FaceId f) const;
 
   size_t leaf_count() const { return leaf_count_; }
   // Number of boxes that for_each_box visits. O(1).
@@ -141,6 +146,9 @@ class AabbTree {
  private:
   friend class TouchedTrace;
 
+  bool is_edited(const Mesh& mesh, FaceId f) const {
+    return f.index >= built_slots_ || mesh.data(f).halvings > 0;
+  }
   Box box_of(const FloatBox& box, int depth, bool leaf, bool hit) const;
   void rebuild(const Mesh& mesh, TreeFrame frame);
   void set_bounds(const Bounds& bounds);
@@ -149,6 +157,7 @@ class AabbTree {
 
   TreeStore store_;
   size_t leaf_count_ = 0;
+  uint32_t built_slots_ = 0;  // face slots of the mesh when the tree was built
   Bounds bounds_;
   unsigned loose_ =
       0;  // sides of the bounds that a removed or moved face may have reached, as in Bounds::side

@@ -1,11 +1,12 @@
 layout(location = 0) in vec3 low;   // one box an instance, in the body's float frame
 layout(location = 1) in vec3 high;
-layout(location = 2) in vec2 style;  // x: 1 the beam was in it, y: opacity
+layout(location = 2) in vec2 style;  // x: 1 the beam was in it, 2 a cut made its face; y: opacity
 
 uniform mat4 frame_from_body;
 uniform float half_width;
 uniform vec4 hit_colour;
 uniform vec4 other_colour;
+uniform vec4 edited_colour;
 
 flat out vec4 colour;
 flat out float dotted;
@@ -32,7 +33,7 @@ void main() {
     return;
   }
   gl_Position = line_vertex(a, b, gl_VertexID % 6, half_width, along);
-  colour = style.x > 0.5 ? hit_colour : other_colour;
+  colour = style.x > 1.5 ? edited_colour : style.x > 0.5 ? hit_colour : other_colour;
   colour.a *= style.y;
-  dotted = 1.0 - style.x;
+  dotted = 0.0;
 }

@@ -143,12 +143,16 @@ void draw_arrows(const PathWork& path, const std::vector<PathMark>& marks, const
     before = &mark;
     const ImU32 colour = selected ? colours::accent() : colours::kPictureSecondary;
     draw_arrow(path, mark, picture, selected ? kKnobEms : kMarkArrowEms,
-               faded(colour, mark.hidden && !selected), list);
+               faded(colour, (mark.hidden || path.was_run()) && !selected), list);
   }
 }
 
-void draw_dot(const PathMark& mark, bool selected, bool numbered, ImDrawList& list) {
-  const ImU32 colour = faded(selected ? colours::accent() : colours::kPictureText, mark.hidden && !selected);
+// Draws a dot, small and faint if it is not selected and its path was run.
+void draw_dot(const PathMark& mark, bool selected, bool numbered, bool was_run, ImDrawList& list) {
+  const bool past = was_run && !selected;
+  const ImU32 colour =
+      faded(selected ? colours::accent() : colours::kPictureText, (mark.hidden || past) && !selected);
+  if (past) return list.AddCircleFilled(to_im(mark.target), 0.6f * kDot, colour);
   list.AddCircleFilled(to_im(mark.target), kDot + 1.8f, kMarkShade);
   list.AddCircleFilled(to_im(mark.target), kDot, colour);
   if (!numbered) return;
@@ -376,7 +380,7 @@ void draw_path(const PathWork& path, const World& world, const PrimaryViewport& 
   const std::vector<PathMark> marks = path_marks(path, world, picture);
   draw_arrows(path, marks, picture, list);
   for (const PathMark& mark : marks)
-    draw_dot(mark, path.selected() == mark.point, marks.size() <= kMaxNumbered, list);
+    draw_dot(mark, path.selected() == mark.point, marks.size() <= kMaxNumbered, path.was_run(), list);
   if (const auto knob = path_knob(path, picture)) draw_knob(*knob, list);
 }
 

@@ -93,6 +93,7 @@ class PathWork {
   // Records that the path was run at this position of the document history. Until the next edit of the path,
   // only positions up to this one are older than its last edit.
   void record_run(size_t position) { run_at_ = position; }
+  bool was_run() const { return run_at_.has_value(); }  // since its last edit
   bool is_newer_than(size_t position) const { return !run_at_ || position <= *run_at_; }
 
  private:

@@ -99,20 +99,17 @@ void add(const World& world, MemoryStatistics& statistics) {
 
 }  // namespace
 
-void count_world(ShownStatistics& shown, const Document& document, bool depth_shown) {
+void count_world(ShownStatistics& shown, const Document& document, bool tree_shown) {
   const World& world = document.world();
   shown.faces = world.live_faces();
   count_pieces(shown, world, specks(document));
   shown.tree_nodes = 0;
-  shown.tree_depth.reset();
-  if (depth_shown) shown.tree_depth = 0;
+  shown.tree.reset();
+  if (tree_shown) shown.tree.emplace();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
     shown.tree_nodes += body.tree.box_count();
-    if (!depth_shown) continue;
-    body.tree.for_each_box(body.mesh, [&](const AabbTree::Box& box) {
-      shown.tree_depth = std::max(*shown.tree_depth, box.depth);
-    });
+    if (tree_shown) shown.tree->add(tree_statistics(body.tree, body.mesh));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/cut/cut_step.h"
 #include "core/document/document.h"
 #include "core/mesh/files/mesh_format.h"
+#include "core/tree/tree_statistics.h"
 #include "core/world/world.h"
 #include "ui/render/bodies/base_faces.h"
 #include "ui/screen/live_picture.h"
@@ -78,13 +79,13 @@ struct ShownStatistics {
   size_t faces = 0;
   size_t pieces = 0, specks = 0;  // specks are not among the pieces
   size_t twin_faces = 0;          // of the right half
-  size_t selected = 0;  // pieces
-  std::string file;     // the open file, and whether its changes are saved
+  size_t selected = 0;            // pieces
+  std::string file;               // the open file, and whether its changes are saved
   double frame_ms = 0;
   std::string time;  // speed of time; empty: paused
   std::string work;  // of the beam after the end of its stroke; may be empty
   size_t tree_nodes = 0;
-  std::optional<int> tree_depth;  // nullopt until a panel shows it
+  std::optional<TreeStatistics> tree;  // sums over all bodies; nullopt until a panel shows them
   MemoryStatistics memory;
   // The last stroke that is not undone; nullopt without one.
   struct Stroke {
@@ -97,7 +98,7 @@ struct ShownStatistics {
 struct Statistics {
   ShownStatistics shown;
   bool world_changed = true;  // since `shown` was updated
-  bool depth_wanted = false;  // of the trees
+  bool tree_wanted = false;   // ShownStatistics::tree
   ShadowStatistics shadows;
   FrameStatistics frames;
   FrameStatistics between_pictures;  // durations without drawing
@@ -107,8 +108,8 @@ struct Statistics {
   size_t recuts = 0;
 };
 
-// Updates the counts of a document's world. Depths of trees take O(n) and are computed only if shown.
-void count_world(ShownStatistics& shown, const Document& document, bool depth_shown);
+// Updates the counts of a document's world. Those of trees take O(n) and are computed only if shown.
+void count_world(ShownStatistics& shown, const Document& document, bool tree_shown);
 
 void record_stroke(ShownStatistics& shown, const Document& document);
 

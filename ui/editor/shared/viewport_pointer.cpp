@@ -66,13 +66,18 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   return turn * direction;
 }
 
-std::optional<PieceId> piece_under_pointer(const Workspace& workspace) {
+std::optional<FaceOfBody> face_under_pointer(const Workspace& workspace) {
   if (workspace.view.in_second) return std::nullopt;
   const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
   const std::optional<Pick> seen =
       pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
-  if (!seen) return std::nullopt;
-  return PieceId{seen->body, workspace.world().body(seen->body).mesh.data(seen->face).piece};
+  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
+}
+
+std::optional<PieceId> piece_under_pointer(const Workspace& workspace) {
+  const std::optional<FaceOfBody> face = face_under_pointer(workspace);
+  if (!face) return std::nullopt;
+  return PieceId{face->body, workspace.world().body(face->body).mesh.data(face->face).piece};
 }
 
 bool selected_under_pointer(const Workspace& workspace) {

@@ -107,7 +107,7 @@ const std::vector<MenuLayout> kPaletteOnly{
     {"Pieces", {"pieces.select_one", "pieces.explode_more", "pieces.explode_less"}},
     {"File", {"file.frame"}},
     {"Graph", {"graph.export"}},
-    {"Tree", {"tree.leaves_only", "tree.hit_only", "tree.level_more", "tree.level_less", "tree.colours"}},
+    {"Tree", {"tree.leaves_only", "tree.hit_only", "tree.one_level", "tree.path", "tree.level_more", "tree.level_less", "tree.colours"}},
     {"View",
      {"scalar_map.paint", "scalar_map.level", "scalar_map.longest_edge", "scalar_map.min_angle",
       "scalar_map.temperature", "scalar_map.rim_distance"}},

@@ -224,9 +224,9 @@ void bring_up_to_date(Workspace& workspace) {
   shown.memory =
       memory_statistics(std::array{&workspace.world(), workspace.view.second_world, as_loaded},
                         workspace.session.document.history().bytes(), workspace.screen.picture->memory());
-  const bool depth_missing = statistics.depth_wanted && !shown.tree_depth;
-  if (!std::exchange(statistics.world_changed, false) && !depth_missing) return;
-  count_world(shown, workspace.session.document, statistics.depth_wanted);
+  const bool tree_missing = statistics.tree_wanted && !shown.tree;
+  if (!std::exchange(statistics.world_changed, false) && !tree_missing) return;
+  count_world(shown, workspace.session.document, statistics.tree_wanted);
   record_stroke(shown, workspace.session.document);
 }
 

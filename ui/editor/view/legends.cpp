@@ -29,7 +29,7 @@ namespace {
 
 using Rows = std::vector<Legend::Row>;
 
-Legend::Row sentence(std::string text) { return {0, std::move(text), false, false}; }
+Legend::Row sentence(std::string text) { return {0, std::move(text), false}; }
 
 Legend legend_of_boxes(const ViewOptions& look) {
   const BoxColours colours = colours_of(look.tree.palette);
@@ -37,8 +37,12 @@ Legend legend_of_boxes(const ViewOptions& look) {
   Legend legend;
   legend.title = look.tree.leaves_only ? "Leaf Nodes" : "AABB Tree";
   legend.rows.push_back({colours.hit, "visited by the beam"});
-  if (!hit_only) legend.rows.push_back({colours.untouched, "not visited", true, true});
-  if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
+  if (!hit_only) legend.rows.push_back({colours.untouched, "not visited"});
+  if (!hit_only) legend.rows.push_back({colours.edited, "face that a cut made"});
+  if (look.tree_path) legend.rows.push_back({colours.path, "path to the face under the pointer"});
+  if (look.tree.one_level)
+    legend.rows.push_back(sentence("only level " + std::to_string(look.tree.deepest) + " below the root"));
+  else if (!look.tree.leaves_only && look.tree.deepest < TreeOverlay().deepest)
     legend.rows.push_back(sentence("down to level " + std::to_string(look.tree.deepest) + " below the root"));
   return legend;
 }
@@ -186,14 +190,8 @@ ImU32 opaque(uint32_t hex) { return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu
 
 void draw_swatch(const Legend::Row& row, ImVec2 at, float side, ImDrawList& list) {
   const ImU32 colour = opaque(row.colour);
-  if (!row.dotted) {
-    list.AddRectFilled(at, {at.x + side, at.y + side}, colour, 2);
-    list.AddRect(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 70), 2);
-    return;
-  }
-  const float gap = side / 5;
-  for (float x = 0; x < side; x += 2 * gap)
-    list.AddRectFilled({at.x + x, at.y + 2 * gap}, {at.x + x + gap, at.y + 3 * gap}, colour);
+  list.AddRectFilled(at, {at.x + side, at.y + side}, colour, 2);
+  list.AddRect(at, {at.x + side, at.y + side}, IM_COL32(255, 255, 255, 70), 2);
 }
 
 float width_of(const Legend& legend, float swatch) {
@@ -326,6 +324,21 @@ Area under_label(const Layout& l) {
   return {l.first.at + label, l.first.size - label};
 }
 
+// Draws the ground as a line if the view sees it edge-on, where its plane is invisible.
+void draw_ground_line(const ViewState& view, const World& world, ImDrawList& list) {
+  const PrimaryViewport picture(view);
+  const CameraView& camera = picture.camera();
+  const Vec3 up = from_y_up({0, 1, 0}, view.frame.up);
+  if (!camera.parallel || std::abs(glm::dot(camera.forward, up)) > 1e-6) return;
+  const Vec3 middle = camera.eye + camera.focus * camera.forward;
+  const double height = height_of_drawn_ground(world, view.frame.up);
+  const auto place = picture.place_of(middle + (height - glm::dot(middle, up)) * up);
+  const Area& half = view.layout.first;
+  if (!place || place->y < half.at.y || place->y > half.at.y + half.size.y) return;
+  const auto y = static_cast<float>(place->y), left = static_cast<float>(half.at.x);
+  list.AddLine({left, y}, {left + static_cast<float>(half.size.x), y}, colours::kPictureSecondary, 1);
+}
+
 class ViewFeature : public Feature {
  public:
   // The legends drawn here replace those of the renderer.
@@ -357,6 +370,7 @@ class ViewFeature : public Feature {
   }
 
   void draw_overlay(ImDrawList& list) override {
+    draw_ground_line(workspace_.view, workspace_.world(), list);
     draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
     workspace_.view.legends =
         draw_legends(legends_of(workspace_.view.look, workspace_.services.statistics.shadows),

@@ -15,8 +15,7 @@ struct Legend {
   struct Row {
     uint32_t colour = 0;  // 0xrrggbb
     std::string meaning;
-    bool swatch = true;   // false: text only
-    bool dotted = false;  // drawn dotted, like the lines of the view
+    bool swatch = true;  // false: text only
   };
   std::string title;
   std::vector<Row> rows;

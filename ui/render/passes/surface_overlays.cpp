@@ -153,17 +153,19 @@ constexpr float kHitFade = 0.87f;         // the same for boxes hit by the beam
 constexpr float kFaintest = 0.15f;        // fainter boxes are not drawn
 constexpr float kFaintestAsked = 0.10f;   // minimum for boxes of a selected depth
 constexpr float kFaintestHit = 0.13f;     // minimum for boxes hit by the beam
+constexpr float kOneLevel = 0.75f;        // opacity of boxes that are drawn as the only level
+constexpr float kHidden = 0.16f;          // share of the opacity of lines behind surfaces
 constexpr float kLeafFade = 0.97f;        // from one depth to the next if only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
 constexpr size_t kMaxBoxes = 3500;        // the largest on screen are drawn
-constexpr GLsizei kMaxDark = 200;         // maximum number of lines with a dark outline
 constexpr int kVerticesOfBox = 12 * 6;
 
 // Deep boxes fade, to keep the structure of the tree readable; boxes of a selected depth are at least
 // faintly visible.
 float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   const auto depth = static_cast<float>(box.depth);
+  if (tree.one_level) return box.hit || box.edited ? 1.0f : kOneLevel;
   if (tree.leaves_only) return (box.hit ? 0.9f : 0.5f) * std::max(0.4f, std::pow(kLeafFade, depth));
   if (box.hit) return std::max(kFaintestHit, std::pow(kHitFade, depth));
   float opacity = std::pow(kBoxFade, depth);
@@ -171,18 +173,26 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
 }
 
+const glm::vec4 kDarkLine(0.02f, 0.025f, 0.03f, 0.55f);
+
 // Draws each line twice: wide and dark, then thin in its colour.
 void draw_twice(const gl::Program& program, const glm::mat4& from_body, int vertices, GLsizei instances,
-                GLsizei max_dark, const glm::vec4& first, const glm::vec4& second, double scale) {
+                const glm::vec4& colour, double scale) {
   if (instances == 0) return;
   program.use();
   program.set("frame_from_body", from_body);
   for (const bool dark : {true, false}) {
     program.set("half_width", static_cast<float>(scale) * (dark ? kDarkHalfWidth : kColourHalfWidth));
-    program.set("hit_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.55f) : first);
-    program.set("other_colour", dark ? glm::vec4(0.02f, 0.025f, 0.03f, 0.30f) : second);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, dark ? std::min(instances, max_dark) : instances);
+    program.set("hit_colour", dark ? kDarkLine : colour);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
   }
+}
+
+// Sets the colours of boxes, their opacity multiplied by `share`.
+void set_colours(const gl::Program& program, const BoxColours& colours, float share) {
+  program.set("hit_colour", srgb(colours.hit, share));
+  program.set("other_colour", srgb(colours.untouched, share));
+  program.set("edited_colour", srgb(colours.edited, share));
 }
 
 constexpr float kWireHalfWidth = 0.6f, kDarkWireHalfWidth = 1.2f;  // pixels
@@ -329,10 +339,13 @@ std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFram
                                                const TreeOverlay& tree) const {
   std::vector<BoxLine> boxes;
   body.tree.for_each_box(body.mesh, [&](const AabbTree::Box& box) {
-    if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf)) return;
+    if ((tree.hit_only && !box.hit) || box.depth > tree.deepest || (tree.leaves_only && !box.leaf) ||
+        (tree.one_level && box.depth != tree.deepest))
+      return;
     const float opacity = opacity_of(box, tree);
     if (opacity <= 0) return;
-    boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {box.hit ? 1.0f : 0.0f, opacity}});
+    const float kind = box.hit ? 1.0f : box.edited ? 2.0f : 0.0f;
+    boxes.push_back({frame.to_float(box.min), frame.to_float(box.max), {kind, opacity}});
   });
   return boxes;
 }
@@ -353,6 +366,25 @@ std::vector<LineOverlay::Stick> LineOverlay::gather_normals(const Body& body, co
   return sticks;
 }
 
+// Draws boxes with faint lines where surfaces hide them, then the path to a face over everything.
+void LineOverlay::draw_boxes(Gathered& lines, const glm::mat4& from_body, const ViewOptions& options) const {
+  const BoxColours colours = colours_of(options.tree.palette);
+  box_.use();
+  box_.set("frame_from_body", from_body);
+  box_.set("half_width", static_cast<float>(options.mark_scale) * kColourHalfWidth);
+  lines.boxes.bind();
+  for (const bool hidden : {true, false}) {
+    const gl::ScopedState state(
+        {.depth = hidden ? GLenum{GL_GREATER} : GLenum{GL_LESS}, .writes_depth = false, .blend = gl::kOver});
+    set_colours(box_, colours, hidden ? kHidden : 1);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfBox, lines.boxes.count());
+  }
+  if (lines.path.count() == 0) return;
+  const gl::ScopedState state({.depth = GL_NONE, .blend = gl::kOver});
+  lines.path.bind();
+  draw_twice(box_, from_body, kVerticesOfBox, lines.path.count(), srgb(colours.path, 1), options.mark_scale);
+}
+
 void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
                        const glm::mat4& clip_from_frame, const ViewOptions& options) {
   const ShowOptions& show = options.show;
@@ -365,15 +397,19 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (boxes) {
     lines.boxes.send(select_boxes(lines.all_boxes, clip_from_frame * from_body, kMaxBoxes), GL_DYNAMIC_DRAW);
-    const BoxColours colours = colours_of(options.tree.palette);
-    draw_twice(box_, from_body, kVerticesOfBox, lines.boxes.count(), kMaxDark, srgb(colours.hit, 1),
-               srgb(colours.untouched, 1), options.mark_scale);
+    std::vector<BoxLine> path;
+    if (options.tree_path && options.tree_path->body == id) {
+      for (const AabbTree::Box& box : body.tree.path_to(body.mesh, options.tree_path->face))
+        path.push_back({frame.to_float(box.min), frame.to_float(box.max), {1, 1}});
+    }
+    lines.path.send(path, GL_DYNAMIC_DRAW);
+    draw_boxes(lines, from_body, options);
   }
   if (show.normals) {
     const SectionClip clip(options);
     lines.sticks.bind();
-    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count(), lines.sticks.count(),
-               srgb(0x4aa3ff, 0.9f), glm::vec4(0), options.mark_scale);
+    draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count(), srgb(0x4aa3ff, 0.9f),
+               options.mark_scale);
   }
 }
 

@@ -96,12 +96,16 @@ class LineOverlay {
         {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
     gl::Stream<Stick> sticks{gl::ItemsAre::kInstances,
                              {{3, offsetof(Stick, from)}, {3, offsetof(Stick, to)}}};
+    gl::Stream<BoxLine> path{
+        gl::ItemsAre::kInstances,
+        {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
     ShowOptions shown;
     TreeOverlay tree;
   };
   void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
   std::vector<BoxLine> gather_boxes(const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
   std::vector<Stick> gather_normals(const Body& body, const FloatFrame& frame) const;
+  void draw_boxes(Gathered& lines, const glm::mat4& from_body, const ViewOptions& options) const;
 
   gl::Program box_, stick_;
   std::map<BodyId, Gathered> gathered_;

@@ -98,13 +98,15 @@ namespace kerf {
 
 // The two colours of a palette as 0xrrggbb (sRGB).
 struct BoxColours {
-  uint32_t hit = 0;        // drawn solid
-  uint32_t untouched = 0;  // drawn dotted
+  uint32_t hit = 0;
+  uint32_t untouched = 0;
+  uint32_t edited = 0;  // leaves with AabbTree::Box::edited
+  uint32_t path = 0;    // boxes from the root to the face under the pointer
 };
 
 constexpr BoxColours colours_of(BoxPalette palette) {
-  return palette == BoxPalette::kRedAndGreen ? BoxColours{0xff6a4d, 0x3fbf7f}
-                                             : BoxColours{0xe69f00, 0x56b4e9};
+  return palette == BoxPalette::kRedAndGreen ? BoxColours{0xff6a4d, 0x3fbf7f, 0x6fb7ff, 0xffd84a}
+                                             : BoxColours{0xe69f00, 0x56b4e9, 0xffffff, 0xf0e442};
 }
 
 // The colour of the selection: amber, or blue in the palette that uses orange for hit boxes.

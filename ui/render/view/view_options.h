@@ -180,7 +180,8 @@ struct ShadowOptions {
 
 // Selects the boxes of the AABB tree that are drawn if ShowOptions enables them.
 struct TreeOverlay {
-  int deepest = 64;  // levels below the root
+  int deepest = 64;        // levels below the root
+  bool one_level = false;  // only the boxes at the level `deepest`
   bool leaves_only = false;
   bool hit_only = false;
   std::optional<BodyId> body;  // the only body whose boxes are drawn; nullopt: all
@@ -237,6 +238,7 @@ struct ViewOptions {
   bool by_day = false;                  // bright environment, otherwise dark
   std::optional<SectionPlane> section;  // plane of ShowOptions::section; see shown_section()
   TreeOverlay tree;
+  std::optional<FaceOfBody> tree_path;  // the boxes that contain this face are drawn; nullopt: none
   std::vector<Light> lights = std::vector<Light>(1);  // only the first kMaxLights are used
   ShadowOptions shadow;
   std::shared_ptr<const DrawnGraph> graph;    // for ShowOptions::graph; null: nothing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -38,7 +39,8 @@ class GraphPanel {
 
  private:
   void draw_rows(GraphState& graph, const Document& document, ViewState& view);
-  void draw_rows_of_faces(GraphState& graph, const ViewState& view);
+  void draw_rows_of_faces(GraphState& graph, const Document& document, const ViewState& view);
+  void find_row(GraphState& graph, const Document& document);
   void draw_view_row(GraphState& graph, std::optional<PieceId> selected);
   void show_nodes(GraphState& graph, int view, std::optional<PieceId> selected);
   void draw_canvas(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer,
@@ -50,6 +52,8 @@ class GraphPanel {
   GraphCanvas canvas_;
   size_t framed_ = 0;  // number() of the graph framed last
   bool pieces_shown_ = false;
+  std::array<char, 12> typed_{};  // number of the face to find
+  bool found_ = true;             // false: no node shows it
   std::vector<PieceTreeRow> rows_;
   size_t origins_of_ = static_cast<size_t>(-1);  // length of the journal for which the rows were computed
 };
@@ -359,7 +363,30 @@ static void draw_absence(GraphState& graph) {
   mark_last_item("graph ask");
 }
 
-void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
+// Draws a field for the number of a face; Enter zooms to its node, and the traversal starts there.
+void GraphPanel::find_row(GraphState& graph, const Document& document) {
+  property("Find Face");
+  ImGui::SetNextItemWidth(-1);
+  const bool entered =
+      ImGui::InputTextWithHint("##find", "Number", typed_.data(), typed_.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CharsDecimal |
+                                   ImGuiInputTextFlags_AutoSelectAll);
+  mark_last_item("graph find");
+  tooltip("Zooms to the node of the face with this number, and starts the traversal there.");
+  if (!entered) return;
+  const FaceId face(static_cast<uint32_t>(std::strtoul(typed_.data(), nullptr, 10)));
+  found_ = false;
+  for (const BodyId body : document.world().ids()) {
+    const std::optional<uint32_t> node = graph.node_of({body, face});
+    if (!node || graph.drawn()->nodes[*node].removed) continue;
+    found_ = true;
+    graph.start_from(*node);
+    canvas_.show_start();
+    return;
+  }
+}
+
+void GraphPanel::draw_rows_of_faces(GraphState& graph, const Document& document, const ViewState& view) {
   if (ImGui::Button("Fit")) canvas_.fit();
   mark_last_item("graph fit");
   tooltip("Fits the whole graph (F while the pointer is over it). Scroll to zoom, drag to pan.");
@@ -372,9 +399,11 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const ViewState& view) {
     if (ImGui::Button("Close Clusters")) graph.close_all();
   }
   if (!begin_properties("traversal")) return;
+  find_row(graph, document);
   traversal_row(graph);
   if (graph.removed() > 0) removals_row(graph, view);
   end_properties();
+  if (!found_) secondary_text("No node of this graph shows that face.");
   draw_verdict(graph);
 }
 
@@ -407,7 +436,7 @@ void GraphPanel::draw(GraphState& graph, const Document& document, ViewState& vi
   if (drawn && !wide)
     draw_canvas(graph, document, view, pointer, kHeightOfWidth * ImGui::GetContentRegionAvail().x);
   if (!pieces_shown_ && !drawn) draw_absence(graph);
-  if (drawn) draw_rows_of_faces(graph, view);
+  if (drawn) draw_rows_of_faces(graph, document, view);
   if (!wide) return;
   ImGui::EndChild();
   ImGui::SameLine();

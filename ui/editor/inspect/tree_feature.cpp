@@ -16,6 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr int kAllLevels = 64;
+constexpr int kFirstLevel = 3;  // drawn when "One Level" is turned on
 
 // Returns the tooltip of a row, or the reason why it has no effect.
 std::string explanation(const ViewState& view, const char* meaning) {
@@ -32,9 +33,9 @@ int depth_of(const ShownStatistics& shown) {
 }
 
 std::string text_of_level(const TreeLevel& level) {
-  return grouped(level.boxes) + (level.boxes == 1 ? " box" : " boxes") + ", " + text_of("%.3g", level.visits) +
-         " visited per random line, overlap " + text_of("%.3g", level.overlap) +
-         (level.edited > 0 ? ", " + grouped(level.edited) + " edited" : "");
+  return grouped(level.boxes) + (level.boxes == 1 ? " box" : " boxes") + ", " +
+         text_of("%.3g", level.visits) + " visited per random line, overlap " +
+         text_of("%.3g", level.overlap) + (level.edited > 0 ? ", " + grouped(level.edited) + " edited" : "");
 }
 
 void depth_row(ViewState& view, const ShownStatistics& shown) {
@@ -234,6 +235,8 @@ class TreeFeature : public Feature {
   }
   void update(double) override {
     services_.statistics.tree_wanted = services_.panels.shows("tree");
+    TreeOverlay& tree = view_.look.tree;
+    if (tree.one_level && tree.deepest == kAllLevels) tree.deepest = kFirstLevel, view_.picture_old = true;
     std::optional<FaceOfBody> face;
     if (path_shown_ && view_.look.show.aabb && !workspace_.changes.is_pending())
       face = face_under_pointer(workspace_);

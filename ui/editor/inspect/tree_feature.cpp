@@ -92,8 +92,8 @@ void draw_histogram(ViewState& view, const TreeStatistics& statistics) {
   view.picture_old = true;
 }
 
-void shape_rows(ViewState& view, const ShownStatistics& shown) {
-  if (!shown.tree || shown.tree->levels.empty()) return;
+void draw_shape(ViewState& view, const ShownStatistics& shown) {
+  if (!shown.tree || shown.tree->levels.empty() || !begin_properties("tree shape")) return;
   const TreeStatistics& tree = *shown.tree;
   figure_row("Cost", text_of("%.3g boxes per line", tree.cost()),
              "Expected number of boxes that a random line through the bounds visits: the surface area "
@@ -103,6 +103,7 @@ void shape_rows(ViewState& view, const ShownStatistics& shown) {
   figure_row("Edited", grouped(tree.edited()) + (tree.edited() == 1 ? " leaf" : " leaves"),
              "Boxes of faces that cuts have split or added.");
   draw_histogram(view, tree);
+  end_properties();
 }
 
 void flag_row(ViewState& view, const char* name, const char* label, bool& flag, const char* meaning) {
@@ -177,7 +178,6 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   ImGui::EndDisabled();
   palette_row(view, settings);
   figure_rows(shown);
-  shape_rows(view, shown);
   end_properties();
 }
 
@@ -215,9 +215,10 @@ class TreeFeature : public Feature {
         services_(workspace.services) {}
 
   std::vector<PanelPart> panel_parts() override {
-    return {{"tree.boxes", [this] {
-               draw_tree_panel(view_, session_.world(), settings_, services_.statistics.shown, path_shown_);
-             }}};
+    const ShownStatistics& shown = services_.statistics.shown;
+    return {{"tree.boxes",
+             [this, &shown] { draw_tree_panel(view_, session_.world(), settings_, shown, path_shown_); }},
+            {"tree.shape", [this, &shown] { draw_shape(view_, shown); }}};
   }
   std::vector<UserAction> actions() override {
     TreeOverlay& tree = view_.look.tree;

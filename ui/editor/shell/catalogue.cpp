@@ -28,7 +28,7 @@ const std::vector<TabLayout> kTabLayout{
       {"history", "History", true, {"history"}}}},
     {Tab::kView,
      {{"view", "View", true, {"view.section", "view.section_cut", "view.switches"}},
-      {"tree", "Tree", false, {"tree.boxes", "tree.query"}},
+      {"tree", "Tree", false, {"tree.boxes", "tree.query", "tree.shape"}},
       {"scalar_map", "Scalar Map", false, {"scalar_map"}},
       {"graph", "Graph", false, {"graph"}, Dock::kStrip},
       {"single_step", "Step Mode", false, {"single_step"}},

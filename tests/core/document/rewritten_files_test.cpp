@@ -46,7 +46,7 @@ constexpr const char* kCommands[] = {
     R"({"do":"smooth-piece","piece":[532165134,0,4],"times":4})",
     R"({"do":"turn-shells","piece":[532165134,4,2]})",
     R"({"do":"cut-plane","normal":[0.0,1.0,-0.5],"distance":0.25})",
-    R"({"do":"cut-plane","normal":[0.0,1.0,-0.5],"distance":0.25,"pegs":{"count":2,"diameter":0.004,"depth":0.006,"tolerance":0.0001}})",
+    R"({"do":"cut-plane","normal":[0.0,1.0,-0.5],"distance":0.25,"pegs":{"count":2,"diameter":0.004,"depth":0.006,"tolerance":0.00025}})",
     R"({"do":"cut-plane","normal":[5e-324,-0.0,3.0],"distance":-1e+29,"bodies":[[1,0],[4,2]],"most-faces":5000})",
     R"({"do":"cut-path","poses":[{"origin":[0.0,1.0,0.5],"direction":[0.0,-1.0,0.0]},{"origin":[0.25,1.0,0.5],"direction":[0.0,-1.0,0.0]}],"range":[0.0,2.0]})",
     R"({"do":"join-parts","piece":[3,1,0],"joint":{"kind":"hinge","parts":["door","frame"],"anchor":[0.0,1.0,0.5],"axis":[0.0,2.0,0.0],"limits":[-90.0,5e-324],"near":[[0.0,1.0,0.5],[1e-300,1.0,0.5]],"radius":0.25}})",

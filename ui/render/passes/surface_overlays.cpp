@@ -154,7 +154,9 @@ constexpr float kFaintest = 0.15f;        // fainter boxes are not drawn
 constexpr float kFaintestAsked = 0.10f;   // minimum for boxes of a selected depth
 constexpr float kFaintestHit = 0.13f;     // minimum for boxes hit by the beam
 constexpr float kOneLevel = 0.75f;        // opacity of boxes that are drawn as the only level
-constexpr float kHidden = 0.16f;          // share of the opacity of lines behind surfaces
+constexpr float kHidden = 0.16f;          // share of the opacity of lines of one level behind surfaces
+constexpr float kHiddenOfMany = 0.05f;    // the same if all levels are drawn
+constexpr float kUntouched = 0.6f;        // opacity of boxes not hit, relative to those hit
 constexpr float kLeafFade = 0.97f;        // from one depth to the next if only leaves are drawn
 constexpr float kDarkHalfWidth = 1.3f;    // pixels
 constexpr float kColourHalfWidth = 0.6f;  // pixels
@@ -170,7 +172,8 @@ float opacity_of(const AabbTree::Box& box, const TreeOverlay& tree) {
   if (box.hit) return std::max(kFaintestHit, std::pow(kHitFade, depth));
   float opacity = std::pow(kBoxFade, depth);
   if (opacity < kFaintest) opacity = 0;
-  return tree.deepest < TreeOverlay().deepest ? std::max(kFaintestAsked, opacity) : opacity;
+  if (tree.deepest < TreeOverlay().deepest) opacity = std::max(kFaintestAsked, opacity);
+  return kUntouched * opacity;
 }
 
 const glm::vec4 kDarkLine(0.02f, 0.025f, 0.03f, 0.55f);
@@ -376,7 +379,7 @@ void LineOverlay::draw_boxes(Gathered& lines, const glm::mat4& from_body, const 
   for (const bool hidden : {true, false}) {
     const gl::ScopedState state(
         {.depth = hidden ? GLenum{GL_GREATER} : GLenum{GL_LESS}, .writes_depth = false, .blend = gl::kOver});
-    set_colours(box_, colours, hidden ? kHidden : 1);
+    set_colours(box_, colours, !hidden ? 1 : options.tree.one_level ? kHidden : kHiddenOfMany);
     glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesOfBox, lines.boxes.count());
   }
   if (lines.path.count() == 0) return;

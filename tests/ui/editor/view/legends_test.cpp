@@ -48,7 +48,7 @@ TEST(Legends, boxes_describe_which_of_them_are_drawn) {
   ViewOptions look;
   look.show.aabb = true;
   look.tree.deepest = 3;
-  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 3u);
+  EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 4u);
   look.tree.hit_only = true;
   EXPECT_EQ(legends_of(look, {}).at(0).rows.size(), 2u);
 }

@@ -40,12 +40,17 @@ size_t column_of(const Row& row) {
   return static_cast<size_t>(std::find(kMeshes.begin(), kMeshes.end(), row.mesh) - kMeshes.begin());
 }
 
-std::string entry_of(const Row& row) {
-  char text[128];
-  const char* const bold = row.holds() ? "" : "**";
-  std::snprintf(text, sizeof text, "%.3g / %.3g %s = %s%.3g%s", row.ours, row.peer, row.unit.c_str(), bold,
-                row.ratio(), bold);
+// Three significant digits, without an exponent for large numbers.
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 999.5 ? "%.3g" : "%.0f", value);
   return text;
+}
+
+std::string entry_of(const Row& row) {
+  const char* const bold = row.holds() ? "" : "**";
+  return figure(row.ours) + " / " + figure(row.peer) + " " + row.unit + " = " + bold + figure(row.ratio()) +
+         bold;
 }
 
 // A line of the page's table.
@@ -64,8 +69,7 @@ std::vector<Line> lines_of(const std::vector<Row>& rows) {
     if (is_new) lines.push_back({name, "", {}});
     Line& line = lines[at->second];
     line.entries[column] = entry_of(row);
-    char bar[32];
-    if (row.bar && std::snprintf(bar, sizeof bar, "%.3g", *row.bar) > 0) line.bar = bar;
+    if (row.bar) line.bar = figure(*row.bar);
   }
   return lines;
 }

@@ -18,7 +18,7 @@
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport.h"
-#include "ui/render/bodies/body_picture.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/render/view/view_options.h"
 #include "ui/window/layout.h"
 #include "ui/window/number_text.h"
@@ -178,14 +178,6 @@ void explain(const GraphState& graph, const Document& document, uint32_t node) {
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-std::optional<FaceOfBody> face_under(const Document& document, const ViewState& view,
-                                     std::optional<Vec2> pointer) {
-  if (!pointer) return std::nullopt;
-  const Vec2 p = view.in_picture(*pointer);
-  const auto seen = pick(document.world(), view.look, view.seen().ray(p.x, p.y));
-  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
-}
-
 // Reads the requested graph in the background and passes it to `graph`, which must outlive it; if stopped,
 // the graph stays left out. Does not change the document. Precondition: graph.is_asked_for().
 LongChange graph_reading(GraphState& graph) {
@@ -325,7 +317,7 @@ void GraphPanel::light(const GraphState& graph, const Document& document, ViewSt
 void GraphPanel::draw_canvas(GraphState& graph, const Document& document, ViewState& view,
                              std::optional<Vec2> pointer, float height) {
   const DrawnGraph& drawn = *graph.drawn();
-  const std::optional<FaceOfBody> face = face_under(document, view, pointer);
+  const std::optional<FaceOfBody> face = pointer ? face_at(document.world(), view, *pointer) : std::nullopt;
   const std::optional<uint32_t> lit = face ? graph.node_of(*face) : std::nullopt;
   KERF_ASSERT(graph.start() < drawn.of.size());
   const uint32_t start = drawn.of[graph.start()];

@@ -66,12 +66,15 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to) {
   return turn * direction;
 }
 
+std::optional<FaceOfBody> face_at(const World& world, const ViewState& view, Vec2 place) {
+  const Vec2 p = view.in_picture(place);
+  const std::optional<Pick> seen = pick(world, view.look, view.seen().ray(p.x, p.y));
+  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
+}
+
 std::optional<FaceOfBody> face_under_pointer(const Workspace& workspace) {
   if (workspace.view.in_second) return std::nullopt;
-  const Vec2 p = workspace.view.in_picture(workspace.input.pointer);
-  const std::optional<Pick> seen =
-      pick(workspace.world(), workspace.view.look, workspace.view.seen().ray(p.x, p.y));
-  return seen ? std::optional(FaceOfBody{seen->body, seen->face}) : std::nullopt;
+  return face_at(workspace.world(), workspace.view, workspace.input.pointer);
 }
 
 std::optional<PieceId> piece_under_pointer(const Workspace& workspace) {

@@ -49,6 +49,9 @@ Vec3 turned_with(const Vec3& direction, const Vec3& from, const Vec3& to);
 // Returns true if a press selects pieces: with the Select tool, or with Ctrl and any tool.
 inline bool picks(const PointerInput& input, const Press& press) { return input.picks() || press.control; }
 
+// Returns the visible face at a place of the window within the first half of the viewport.
+std::optional<FaceOfBody> face_at(const World& world, const ViewState& view, Vec2 place);
+
 // Returns the face under the pointer, if it is in the first half of the viewport.
 std::optional<FaceOfBody> face_under_pointer(const Workspace& workspace);
 

@@ -50,7 +50,7 @@ inline constexpr float kFloatLeast = 0x1p-126f;
 // Rounding errors of single precision, relative to the extent of the inputs, in multiples of 2^-24.
 inline constexpr double kProjectionRoundings = 0x1p-19;  // projection of a box: fewer than 32 operations
 inline constexpr double kPlaneRoundings =
-    0x1p-19;  // intersection of a ray and a plane: fewer than 24 operations
+    0x1p-18;  // intersection of a ray and a plane: fewer than 48 operations
 inline constexpr double kShearedRoundings = 0x1p-21;  // sheared coordinate of a corner or a ray: up to 8
 inline constexpr float kEdgeRoundings = 0x1p-21f;   // edge function, relative to the extent squared: up to 8
 inline constexpr float kSlopeRoundings = 0x1p-20f;  // reciprocal of a direction's component: up to 16

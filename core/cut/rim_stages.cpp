@@ -85,6 +85,8 @@ void add_moves_along_edges(RimState& rim, FaceId f, std::vector<RimSnap>& snaps)
     if (!crosses) continue;
     const int in = d[i] < 0 ? i : k, out = d[i] < 0 ? k : i;
     const Vec3 a = rim.mesh().position(c[in]), b = rim.mesh().position(c[out]);
+    const double snap = kRimSnap * rim.region.steepest() * glm::length(b - a);
+    if (-d[in] > snap && d[out] > snap) continue;  // it crosses farther from both
     const Vec3 at = rim.region.crossing(f, a, b);
     const double share = glm::length(at - a) / glm::length(b - a);
     if (share < kRimSnap) push(snaps, {c[in], c[out], f, at, share});

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/root.h"
 
 namespace kerf {
 
@@ -98,7 +99,7 @@ class ChordTest {
   bool fails() {
     const bool any_inside = d_[0] < 0 || d_[1] < 0 || d_[2] < 0;
     const bool any_outside = d_[0] > 0 || d_[1] > 0 || d_[2] > 0;
-    if (!any_inside && any_outside && region_.reaches_into(face_, at_, graze_)) return true;
+    if (!any_inside && any_outside && reaches_into()) return true;
     for (int i = 0; i < 3; ++i) {
       if (edge_fails(i, (i + 1) % 3)) return true;
     }
@@ -107,36 +108,59 @@ class ChordTest {
   }
 
  private:
+  // Of a crossing, as a share of the edge: far below the accepted deviations.
+  static constexpr double kPrecision = 0x1p-24;
+
+  // Every point of a triangle is nearer to one of its corners than its longest edge.
+  bool reaches_into() const {
+    const double least = std::min({d_[0], d_[1], d_[2]});
+    return least <= region_.steepest() * std::sqrt(longest_edge2(at_)) &&
+           region_.reaches_into(face_, at_, graze_);
+  }
+
+  // A point with its distance from the boundary.
+  struct End {
+    Vec3 at;
+    double distance;
+  };
+  End corner(int i) const { return {at_[i], d_[i]}; }
+
   bool edge_fails(int i, int k) {
-    if (d_[i] > 0 && d_[k] > 0) return passes_through(at_[i], at_[k]);
+    if (d_[i] > 0 && d_[k] > 0) return passes_through(corner(i), corner(k));
     if (d_[i] == 0 && d_[k] == 0) return leaves_boundary(at_[i], at_[k]);
-    if (d_[i] <= 0 && d_[k] <= 0) return leaves_region(at_[i], at_[k]);
+    if (d_[i] <= 0 && d_[k] <= 0) return leaves_region(corner(i), corner(k));
     const int in = d_[i] < d_[k] ? i : k, out = in == i ? k : i;
-    if (d_[in] == 0) return passes_through(at_[in], at_[out]);
-    const Vec3 crossing = region_.crossing(face_, at_[in], at_[out]);
-    if (leaves_region(at_[in], crossing) || passes_through(crossing, at_[out])) return true;
-    ends_[ends_count_++] = crossing;
+    if (d_[in] == 0) return passes_through(corner(in), corner(out));
+    const End crossing{region_.crossing(face_, at_[in], at_[out], kPrecision), 0};
+    if (leaves_region(corner(in), crossing) || passes_through(crossing, corner(out))) return true;
+    ends_[ends_count_++] = crossing.at;
     return false;
   }
 
-  bool passes_through(const Vec3& a, const Vec3& b) const {
-    return region_.reaches_into(face_, {a, b, b}, graze_);
+  // Returns how far the distance may change on the way to the nearer end of a segment and back.
+  double change(const End& a, const End& b) const { return region_.steepest() * glm::length(b.at - a.at); }
+
+  bool passes_through(const End& a, const End& b) const {
+    const double least = 0.5 * (a.distance + b.distance - change(a, b));
+    return least <= 0 && region_.reaches_into(face_, {a.at, b.at, b.at}, graze_);
   }
 
-  bool leaves_region(const Vec3& a, const Vec3& b) const {
-    return any_between(a, b, [&](double distance) { return distance > graze_; });
+  // Tests seven points between the ends, without those that are certainly in the region.
+  bool leaves_region(const End& a, const End& b, int halvings = 3) const {
+    const double most = 0.5 * (a.distance + b.distance + change(a, b));
+    if (most <= 0 || halvings == 0) return false;
+    const Vec3 at = 0.5 * (a.at + b.at);
+    const End middle{at, region_.signed_distance(face_, at)};
+    return middle.distance > graze_ || leaves_region(a, middle, halvings - 1) ||
+           leaves_region(middle, b, halvings - 1);
   }
 
+  // The middle, where an arc is farthest from its chord, comes first.
   bool leaves_boundary(const Vec3& a, const Vec3& b) const {
-    return any_between(a, b, [&](double distance) { return std::abs(distance) > chord_; });
-  }
-
-  template <typename Wrong>
-  bool any_between(const Vec3& a, const Vec3& b, Wrong wrong) const {
-    for (int eighth = 1; eighth < 8; ++eighth) {
-      if (wrong(region_.signed_distance(face_, a + 0.125 * eighth * (b - a)))) return true;
-    }
-    return false;
+    constexpr std::array<double, 7> kShares{0.5, 0.25, 0.75, 0.375, 0.625, 0.125, 0.875};
+    return std::ranges::any_of(kShares, [&](double share) {
+      return std::abs(region_.signed_distance(face_, a + share * (b - a))) > chord_;
+    });
   }
 
   // The chord runs between two crossings, or from one to a corner on the boundary.
@@ -171,29 +195,27 @@ bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) co
 
 class StrokeRegion::PartsOnSegment {
  public:
-  PartsOnSegment(const StrokeRegion& region, FaceId near) : region_(region) {
+  PartsOnSegment(const StrokeRegion& region, FaceId near) : region_(region), near_(near) {
     region.for_each_part_near(near, [&](uint32_t i) {
       if (count_ < kMost) parts_[count_] = i;
       ++count_;
     });
   }
-  // Returns true if they fit into the array.
-  bool fit() const { return count_ <= kMost; }
 
-  // Returns true if any part contains the point, the midpoint of a segment of which one half is visited
-  // next. Drops the parts whose boundary is too far from `p` to reach that half of `length` metres; the
-  // rounding of the distances is far below the margin.
-  bool hold(const Vec3& p, double length) {
+  // Returns the signed distance of an end of the rest of a segment, which has this length. Drops the parts
+  // that cannot reach the rest; the rounding of the distances is far below the margin.
+  double distance(const Vec3& p, double length) {
+    if (count_ > kMost) return region_.signed_distance(near_, p);
     size_t kept = 0;
-    bool held = false;
+    double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < count_; ++i) {
       const SweptCylinder& part = region_.parts_[parts_[i]];
       const double distance = part.signed_distance(p);
-      held |= distance <= 0;
+      least = std::min(least, distance);
       if (distance <= part.steepest() * length + kMargin * part.radius()) parts_[kept++] = parts_[i];
     }
     count_ = kept;
-    return held;
+    return least;
   }
 
  private:
@@ -201,23 +223,22 @@ class StrokeRegion::PartsOnSegment {
   static constexpr double kMargin = 1e-3;  // of the radius
 
   const StrokeRegion& region_;
+  FaceId near_;
   std::array<uint32_t, kMost> parts_;
   size_t count_ = 0;
 };
 
-Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside) const {
-  constexpr int kHalvings = 52;  // precision of the position on the segment
+Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside, double precision) const {
   const Vec3 way = outside - inside;
+  const double length = glm::length(way);
   PartsOnSegment parts(*this, near);
-  double low = 0, high = 1, length = glm::length(way);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    const Vec3 p = inside + middle * way;
-    length *= 0.5;
-    const bool held = parts.fit() ? parts.hold(p, length) : signed_distance(near, p) <= 0;
-    (held ? low : high) = middle;
-  }
-  return inside + high * way;
+  const double low = parts.distance(inside, length), high = parts.distance(outside, length);
+  const auto distance = [&](double share, double rest) {
+    return parts.distance(inside + share * way, rest * length);
+  };
+  const double rounding = 0x1p-53 * (glm::length(inside) + glm::length(outside)) / length;
+  const double share = upper_end_of_root(low, high, std::max(precision, rounding), distance);
+  return inside + share * way;
 }
 
 SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {

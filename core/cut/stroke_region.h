@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -18,7 +19,10 @@ namespace kerf {
 // replaced.
 class StrokeRegion {
  public:
-  void add(const SweptCylinder& part) { parts_.push_back(part); }
+  void add(const SweptCylinder& part) {
+    parts_.push_back(part);
+    steepest_ = std::max(steepest_, part.steepest());
+  }
   size_t parts() const { return parts_.size(); }
   const SweptCylinder& part(size_t i) const { return parts_[i]; }
 
@@ -37,8 +41,12 @@ class StrokeRegion {
   // Returns true if any part, with its radius reduced by `graze` metres, intersects the triangle.
   bool reaches_into(FaceId near, const Triangle& t, double graze) const;
 
-  // Returns the point at which the segment from a point inside to a point outside crosses the boundary.
-  Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside) const;
+  // Returns a Lipschitz constant of the signed distance.
+  double steepest() const { return steepest_; }
+
+  // Returns the point at which the segment from a point inside to a point outside crosses the boundary, or a
+  // point outside that is nearer to it than `precision` times the length of the segment.
+  Vec3 crossing(FaceId near, const Vec3& inside, const Vec3& outside, double precision = 0x1p-52) const;
 
  private:
   // The parts that may contain a point of a segment, reduced as the segment is halved.
@@ -61,6 +69,7 @@ class StrokeRegion {
   uint32_t list_of_both(uint32_t a, uint32_t b);
 
   std::vector<SweptCylinder> parts_;
+  double steepest_ = 1;  // of all parts
   std::vector<Entry> entries_;
   std::vector<List> lists_;
   PagedArray<uint32_t> list_of_;  // by face slot: index of its list plus one, or 0

@@ -174,10 +174,11 @@ Int4 signs(Float4 v) { return std::bit_cast<Int4>(v) < all_lanes(INT32_C(0)); }
 void set_slabs(RayQuery& q, Float4 d, Float4 low, Float4 high) {
   const Int4 down = signs(d);
   const Float4 steep = 1 / max_lanes(abs_lanes(d), all_lanes(kMinComponent)), slope = down ? -steep : steep;
-  store_lanes(q.near_origin, down ? low : high);
-  store_lanes(q.far_origin, down ? high : low);
-  store_lanes(q.near_slope, slope * (1 - kSlopeRoundings));
-  store_lanes(q.far_slope, slope * (1 + kSlopeRoundings));
+  const Float4 near_slope = slope * (1 - kSlopeRoundings), far_slope = slope * (1 + kSlopeRoundings);
+  store_lanes(q.near_slope, near_slope);
+  store_lanes(q.far_slope, far_slope);
+  store_lanes(q.near_offset, (down ? low : high) * near_slope);
+  store_lanes(q.far_offset, (down ? high : low) * far_slope);
   const Int4 lows{0, 1, 2, 3}, highs{3, 4, 5, 6};
   store_lanes(q.near_plane, down ? highs : lows);
   store_lanes(q.far_plane, down ? lows : highs);
@@ -186,8 +187,8 @@ void set_slabs(RayQuery& q, Float4 d, Float4 low, Float4 high) {
 bool may_meet(const RayQuery& q, const FloatBox& box) {
   const Int4 down = signs(load_lanes(q.direction));
   const Float4 near = down ? box.high : box.low, far = down ? box.low : box.high;
-  Float4 entry = (near - load_lanes(q.near_origin)) * load_lanes(q.near_slope);
-  Float4 exit = (far - load_lanes(q.far_origin)) * load_lanes(q.far_slope);
+  Float4 entry = near * load_lanes(q.near_slope) - load_lanes(q.near_offset);
+  Float4 exit = far * load_lanes(q.far_slope) - load_lanes(q.far_offset);
   // Compares every entry with every exit, including the limits of the range.
   entry[3] = q.t_low;
   exit[3] = q.t_high;

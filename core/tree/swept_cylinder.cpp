@@ -109,10 +109,11 @@ SweptCylinder::SweptCylinder(const Pose& from, const Pose& to, double radius, In
     };
     from_tilt_ = tilt(from.direction);
     to_tilt_ = tilt(to.direction);
+    steepest_ = 1 + std::max(glm::length(from_tilt_), glm::length(to_tilt_));
   }
 }
 
-SweptCylinder::Seen SweptCylinder::see(const Vec3& p) const {
+[[gnu::always_inline]] inline SweptCylinder::Seen SweptCylinder::see(const Vec3& p) const {
   const Vec3 a = p - from_origin_, b = p - to_origin_;
   const double depth = glm::dot(a, axis_);
   Seen seen{{glm::dot(a, along_), glm::dot(a, across_)}, {glm::dot(b, along_), glm::dot(b, across_)}, depth};

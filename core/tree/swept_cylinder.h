@@ -35,7 +35,7 @@ class SweptCylinder {
   double signed_distance(const Vec3& p) const;
 
   // Returns a Lipschitz constant of the signed distance.
-  double steepest() const { return 1 + std::max(glm::length(from_tilt_), glm::length(to_tilt_)); }
+  double steepest() const { return steepest_; }
 
   double radius() const { return radius_; }
   // Returns true if the beam tilts. touches() may then return true for a triangle slightly outside the volume
@@ -77,6 +77,7 @@ class SweptCylinder {
   Vec2 from_tilt_{0}, to_tilt_{0};  // drift across the axis per metre of depth
   double shift_ = 0;                // displacement of the origin along the axis [m]
   double radius_ = 0;
+  double steepest_ = 1;
   Interval range_;
   bool tilts_ = false;
 };

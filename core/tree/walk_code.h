@@ -86,17 +86,17 @@ class WalkCode {
       for (int k = 0; k < 3; ++k) {
         near_plane[k] = q.near_plane[k];
         far_plane[k] = q.far_plane[k];
-        near_origin[k] = Float8::all(q.near_origin[k]);
-        far_origin[k] = Float8::all(q.far_origin[k]);
         near_slope[k] = Float8::all(q.near_slope[k]);
         far_slope[k] = Float8::all(q.far_slope[k]);
+        near_offset[k] = Float8::all(q.near_offset[k]);
+        far_offset[k] = Float8::all(q.far_offset[k]);
       }
     }
     Float8 entry(const WideNode& n, int k) const {
-      return (Float8::load(n.plane[near_plane[k]]) - near_origin[k]) * near_slope[k];
+      return product_minus(Float8::load(n.plane[near_plane[k]]), near_slope[k], near_offset[k]);
     }
     Float8 exit(const WideNode& n, int k) const {
-      return (Float8::load(n.plane[far_plane[k]]) - far_origin[k]) * far_slope[k];
+      return product_minus(Float8::load(n.plane[far_plane[k]]), far_slope[k], far_offset[k]);
     }
     Float8 entry(const WideNode& n) const {
       return max(max(entry(n, 0), entry(n, 1)), max(entry(n, 2), low));
@@ -104,7 +104,7 @@ class WalkCode {
     Float8 exit(const WideNode& n) const { return min(min(exit(n, 0), exit(n, 1)), min(exit(n, 2), high)); }
 
     uint32_t near_plane[3], far_plane[3];
-    Float8 near_origin[3], far_origin[3], near_slope[3], far_slope[3];
+    Float8 near_slope[3], far_slope[3], near_offset[3], far_offset[3];
     Float8 low, high;
   };
 
@@ -136,8 +136,8 @@ class WalkCode {
       const Float4 shear_x = Float4::all(shear.slope[0]), shear_y = Float4::all(shear.slope[1]);
       for (int i = 0; i < 3; ++i) {
         const Float4 z = Float4::load(b.corner[i][shear.along]);
-        x[i] = Float4::load(b.corner[i][shear.across[0]]) - shear_x * z;
-        y[i] = Float4::load(b.corner[i][shear.across[1]]) - shear_y * z;
+        x[i] = minus_product(Float4::load(b.corner[i][shear.across[0]]), shear_x, z);
+        y[i] = minus_product(Float4::load(b.corner[i][shear.across[1]]), shear_y, z);
       }
       // The bound matters only if the ray hits the triangle; the extent of the triangle then bounds all
       // coordinates relative to the ray.
@@ -155,7 +155,8 @@ class WalkCode {
       const Float4 px = Float4::all(pass[0]), py = Float4::all(pass[1]);
       const Float4 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
                    cy = y[2] - py;
-      const Float4 u = ax * by - ay * bx, v = bx * cy - by * cx, w = cx * ay - cy * ax;
+      const Float4 u = product_minus(ax, by, ay * bx), v = product_minus(bx, cy, by * cx),
+                   w = product_minus(cx, ay, cy * ax);
       const Float4 least = min(min(u, v), w), most = max(max(u, v), w), under = Float4::all(0) - error;
       return {le(under, least) | le(most, error), le(error, least) | le(most, under)};
     }
@@ -225,7 +226,8 @@ class WalkCode {
     unsigned may_hold(Float8 px, Float8 py) const {
       const Float8 ax = x[0] - px, ay = y[0] - py, bx = x[1] - px, by = y[1] - py, cx = x[2] - px,
                    cy = y[2] - py;
-      const Float8 u = ax * by - ay * bx, v = bx * cy - by * cx, w = cx * ay - cy * ax;
+      const Float8 u = product_minus(ax, by, ay * bx), v = product_minus(bx, cy, by * cx),
+                   w = product_minus(cx, ay, cy * ax);
       const Float8 least = min(min(u, v), w), most = max(max(u, v), w), under = Float8::all(0) - error;
       return le(under, least) | le(most, error);
     }
@@ -320,8 +322,9 @@ class WalkCode {
                  z2 = Float4::load(b.corner[2][k]);
     const bool up = q.near_plane[k] == k;
     const Float4 low = min(min(z0, z1), z2), high = max(max(z0, z1), z2);
-    const Float4 from = ((up ? low : high) - Float4::all(q.near_origin[k])) * Float4::all(q.near_slope[k]);
-    const Float4 to = ((up ? high : low) - Float4::all(q.far_origin[k])) * Float4::all(q.far_slope[k]);
+    const Float4 near_slope = Float4::all(q.near_slope[k]), far_slope = Float4::all(q.far_slope[k]);
+    const Float4 from = product_minus(up ? low : high, near_slope, Float4::all(q.near_offset[k]));
+    const Float4 to = product_minus(up ? high : low, far_slope, Float4::all(q.far_offset[k]));
     may &= le(from, Float4::all(t_high));
     const unsigned sure = lanes.sure & may & le(Float4::all(q.t_sure), from);
     alignas(16) float ends[kBlockWidth];

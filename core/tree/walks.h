@@ -62,7 +62,7 @@ template <typename T>
 enum class Simd : uint8_t {
   kPlain,  // that of the compiler, for any processor
   kSse4,
-  kAvx2,
+  kAvx2,  // with fused multiply-add
 };
 
 // Returns true if this build contains the traversals and the processor can execute them.
@@ -115,14 +115,14 @@ struct WalkLists {
 // Parallel rays, prepared for tests against boxes and triangles, in the frame of the tree. The parameter t is
 // the distance from a point in front of all boxes, so that it is positive within the tree.
 struct RayQuery {
-  // Slab test, by axis: the planes of a box by which the ray enters and leaves, and the factors in t = (plane
-  // - origin) * slope, all rounded so that no box is missed. Fourth elements are padding.
+  // Slab test, by axis: the planes of a box by which the ray enters and leaves, and the terms of t = plane *
+  // slope - offset, all rounded so that no box is missed. Fourth elements are padding.
   alignas(16) uint32_t near_plane[4];
   alignas(16) uint32_t far_plane[4];
-  alignas(16) float near_origin[4];
-  alignas(16) float far_origin[4];
   alignas(16) float near_slope[4];
   alignas(16) float far_slope[4];
+  alignas(16) float near_offset[4];
+  alignas(16) float far_offset[4];
   float t_low, t_high;
   float t_sure;  // hits at this t or beyond certainly satisfy the lower end of the range
   // Triangle test: the common direction, and for each ray its point nearest to the origin of the frame.

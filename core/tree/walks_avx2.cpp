@@ -14,6 +14,13 @@ struct Float4 {
 [[gnu::always_inline]] inline Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+// Return a * b - c and a - b * c, each rounded once.
+[[gnu::always_inline]] inline Float4 product_minus(Float4 a, Float4 b, Float4 c) {
+  return {_mm_fmsub_ps(a.v, b.v, c.v)};
+}
+[[gnu::always_inline]] inline Float4 minus_product(Float4 a, Float4 b, Float4 c) {
+  return {_mm_fnmadd_ps(b.v, c.v, a.v)};
+}
 [[gnu::always_inline]] inline Float4 min(Float4 a, Float4 b) { return {_mm_min_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 abs(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
@@ -36,6 +43,9 @@ struct Float8 {
 [[gnu::always_inline]] inline Float8 operator+(Float8 x, Float8 y) { return {_mm256_add_ps(x.v, y.v)}; }
 [[gnu::always_inline]] inline Float8 operator-(Float8 x, Float8 y) { return {_mm256_sub_ps(x.v, y.v)}; }
 [[gnu::always_inline]] inline Float8 operator*(Float8 x, Float8 y) { return {_mm256_mul_ps(x.v, y.v)}; }
+[[gnu::always_inline]] inline Float8 product_minus(Float8 x, Float8 y, Float8 z) {
+  return {_mm256_fmsub_ps(x.v, y.v, z.v)};
+}
 [[gnu::always_inline]] inline Float8 min(Float8 x, Float8 y) { return {_mm256_min_ps(x.v, y.v)}; }
 [[gnu::always_inline]] inline Float8 max(Float8 x, Float8 y) { return {_mm256_max_ps(x.v, y.v)}; }
 [[gnu::always_inline]] inline unsigned le(Float8 x, Float8 y) {

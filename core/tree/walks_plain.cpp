@@ -44,6 +44,16 @@ template <int n>
 [[gnu::always_inline]] inline Floats<n> operator*(const Floats<n>& a, const Floats<n>& b) {
   return Floats<n>::by_lane([&](int i) { return a.v[i] * b.v[i]; });
 }
+template <int n>
+[[gnu::always_inline]] inline Floats<n> product_minus(const Floats<n>& a, const Floats<n>& b,
+                                                      const Floats<n>& c) {
+  return Floats<n>::by_lane([&](int i) { return a.v[i] * b.v[i] - c.v[i]; });
+}
+template <int n>
+[[gnu::always_inline]] inline Floats<n> minus_product(const Floats<n>& a, const Floats<n>& b,
+                                                      const Floats<n>& c) {
+  return Floats<n>::by_lane([&](int i) { return a.v[i] - b.v[i] * c.v[i]; });
+}
 // Like the instructions of SSE, these return the second number if the two are equal or one is NaN.
 template <int n>
 [[gnu::always_inline]] inline Floats<n> min(const Floats<n>& a, const Floats<n>& b) {

@@ -14,6 +14,8 @@ struct Float4 {
 [[gnu::always_inline]] inline Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.v, b.v)}; }
+[[gnu::always_inline]] inline Float4 product_minus(Float4 a, Float4 b, Float4 c) { return a * b - c; }
+[[gnu::always_inline]] inline Float4 minus_product(Float4 a, Float4 b, Float4 c) { return a - b * c; }
 [[gnu::always_inline]] inline Float4 min(Float4 a, Float4 b) { return {_mm_min_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 max(Float4 a, Float4 b) { return {_mm_max_ps(a.v, b.v)}; }
 [[gnu::always_inline]] inline Float4 abs(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
@@ -48,6 +50,7 @@ struct Float8 {
 [[gnu::always_inline]] inline Float8 operator*(Float8 x, Float8 y) {
   return {_mm_mul_ps(x.a, y.a), _mm_mul_ps(x.b, y.b)};
 }
+[[gnu::always_inline]] inline Float8 product_minus(Float8 x, Float8 y, Float8 z) { return x * y - z; }
 [[gnu::always_inline]] inline Float8 min(Float8 x, Float8 y) {
   return {_mm_min_ps(x.a, y.a), _mm_min_ps(x.b, y.b)};
 }

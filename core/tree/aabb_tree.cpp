@@ -56,12 +56,6 @@ void AabbTree::vary(const Mesh& mesh) {
   rebuild(mesh, TreeFrame::around(*bounds_of(mesh, nullptr)));
 }
 
-void AabbTree::replace(const Mesh& mesh, std::span<const FaceId> removed, std::span<const FaceId> added) {
-  KERF_ASSERT(!removed.empty() && !added.empty());
-  replace_faces(store_, mesh, removed, added);
-  leaf_count_ += added.size() - removed.size();
-}
-
 void AabbTree::replace(const Mesh& mesh, std::span<const Replacement> all) {
   replace_faces(store_, mesh, all);
   for (const Replacement& r : all) leaf_count_ += size_t{r.added_count} - r.removed_count;

@@ -85,12 +85,10 @@ class AabbTree {
   // Appends, for each face within a distance [m], its nearest point; sorted by distance, then by face id.
   void points_within(const Mesh& mesh, const Vec3& at, double distance, std::vector<PointOnFace>& out) const;
 
-  // Replaces the leaves of one set of faces by those of another; a face may be in both sets. May be called
-  // late, after further edits of the mesh, if the order of replacements is kept. Preconditions: neither set
-  // is empty, the old faces are in the tree, and the new faces lie within the bounding box of the old ones,
-  // extended by the corners passed to enlarge_bounds().
-  void replace(const Mesh& mesh, std::span<const FaceId> removed, std::span<const FaceId> added);
-  // Applies all replacements in order; faster than one call for each.
+  // Applies replacements in order: the leaves of some faces give way to those of others; a face may be in both
+  // sets. May be called late, after further edits of the mesh, and is faster for many replacements than for
+  // one. Preconditions: neither set is empty, the removed faces are in the tree, and the added ones lie within
+  // the bounding box of the removed ones, extended by the corners passed to enlarge_bounds().
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
   // Adds leaves for faces at any position. Inserts each where the boxes on the way from the root grow least,

@@ -17,9 +17,14 @@ using Int4 = int32_t __attribute__((vector_size(16)));
 inline Float4 all_lanes(float x) { return Float4{x, x, x, x}; }
 inline Int4 all_lanes(int32_t x) { return Int4{x, x, x, x}; }
 
-// Precondition of these three: four numbers.
+// Precondition of these four: four numbers.
 inline Float4 load_lanes(const float* p) {
   Float4 v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
+inline Int4 load_lanes(const int32_t* p) {
+  Int4 v;
   __builtin_memcpy(&v, p, sizeof v);
   return v;
 }

@@ -15,12 +15,8 @@ namespace kerf {
 // In-place edits of a tree. They access only the changed records and their ancestors. Preconditions: see
 // AabbTree.
 
-// Replaces the leaves of one set of faces by those of another, which are added to the block of the first old
-// face. An overflowing block is split in two; if its node is full, the two halves get a new node in its slot.
-// Enlarges the boxes above if necessary.
-void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> removed,
-                   std::span<const FaceId> added);
-// Applies all replacements in order and prefetches the records of the following ones.
+// Applies replacements in order; the leaves that one adds go to the block of its first removed face (see
+// BlockFiller).
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
 // Adds a leaf to the block found by descending from the root into the child whose box grows least in area.

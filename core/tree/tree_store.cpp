@@ -75,6 +75,7 @@ uint32_t TreeStore::add_block() {
   FaceBlock& block = blocks.edit(b);
   block.parent = kNoIndex;
   block.slot = 0;
+  block.change = 0;
   return b;
 }
 

@@ -74,6 +74,7 @@ struct TreeFrame {
 
 // A face as the tree stores it: its vertices and their positions as floats in the frame of the tree.
 struct TreeFace {
+  TreeFace() = default;
   TreeFace(const TreeFrame& frame, const Mesh& mesh, FaceId f) : TreeFace(frame, mesh, mesh.positions(), f) {}
   // For many faces: the caller passes mesh.positions() once.
   TreeFace(const TreeFrame& frame, const Mesh& mesh, Positions positions, FaceId f)

@@ -42,6 +42,7 @@ struct alignas(32) FaceBlock {
   uint32_t parent;                  // the next free record in a free one
   uint8_t slot;                     // in the parent
   uint8_t count;
+  uint16_t change;  // used within a batch of replacements, else 0
   uint32_t face[kBlockWidth];
   uint32_t vertex[3][kBlockWidth];
 };

@@ -88,7 +88,7 @@ TEST(AabbTree, touched_faces_equal_brute_force_through_random_edits) {
           std::vector<Replacement> replaced;
           refinement.split(mesh, f, replaced);
           for (const auto& r : replaced)
-            tree.replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
+            tree.replace(mesh, {&r, 1});
         } else {
           const auto element = refinement.element(mesh, f);
           refinement.forget(mesh, f);

@@ -64,7 +64,7 @@ struct Edited {
     // The best tree is updated in one call, the others face by face.
     for (size_t i = 0; i + 1 < trees.size(); ++i) {
       for (const auto& r : late)
-        trees[i].replace(mesh, {r.removed.data(), r.removed_count}, {r.added.data(), r.added_count});
+        trees[i].replace(mesh, {&r, 1});
     }
     best().replace(mesh, late);
     late.clear();

@@ -577,7 +577,7 @@ class RimBite {
     if (!rim.step.body().solid) return true;
     if (!work_.closing)
       work_.closing = std::make_shared<WallClosing>(moves_in_body(rim.step.body().placement, sweep));
-    taken_ += kPartOfWork;
+    taken_ += 2 * kPartOfWork;  // one part a step: a unit takes twice as long as a face
     if (!work_.closing->resume(rim)) return false;
     end_bite();
     ClosedRim closed = work_.closing->take();

@@ -51,7 +51,7 @@ class Refinement {
       : step_(step), settings_(settings), to_split_(to_split) {}
 
   Status run() {
-    for (size_t visited = 0; visited < faces_per_batch() && !to_split_.empty(); ++visited) {
+    for (size_t work = 0; work < faces_per_batch() && !to_split_.empty(); ++work) {
       const FaceId f = to_split_.back();
       to_split_.pop_back();
       if (!must_split(f)) continue;
@@ -59,6 +59,7 @@ class Refinement {
       const std::span<const Replacement> splits = split_by_scheme(step_, settings_.resolution.scheme, f);
       for (size_t i = splits.size(); i-- > 0;) {
         const Replacement& r = splits[i];
+        work += r.added_count;
         to_split_.insert(to_split_.end(), r.added.begin(), r.added.begin() + r.added_count);
       }
       if (step_.mesh().live_faces() > settings_.max_faces) return too_many_faces(settings_);

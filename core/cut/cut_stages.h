@@ -30,8 +30,8 @@ size_t faces_per_batch();
 void sweep(BodyStep& step, const Laser& laser, const BeamMove& move, bool in_body_frame = false);
 // Finds the faces that the beam touches, each once, ascending.
 void hit(BodyStep& step, std::vector<FaceId>& faces);
-// Processes the next faces_per_batch() faces of move.to_split. Fails at settings.max_faces or on
-// cancellation.
+// Examines the next faces of move.to_split, until faces_per_batch() are examined or made. Fails at
+// settings.max_faces or on cancellation.
 Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings, const Progress& progress);
 // Returns true if a face need not be split under the beam of the move. Precondition: the face is live.
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f);

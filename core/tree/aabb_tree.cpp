@@ -69,8 +69,8 @@ void AabbTree::remove(FaceId f) {
 }
 
 void AabbTree::add(const Mesh& mesh, std::span<const FaceId> faces) {
+  add_faces(store_, mesh, faces);
   for (const FaceId f : faces) {
-    add_face(store_, mesh, f);
     for (const Vec3& p : mesh.triangle(f)) enlarge_bounds(p);
   }
   leaf_count_ += faces.size();

@@ -87,9 +87,17 @@ void settle(TreeStore& tree, uint32_t n) {
   remove_root(tree);
 }
 
-// Returns the block found from the root by following the slot whose box grows least with the added box.
-uint32_t block_that_grows_least(const TreeStore& tree, const FloatBox& added) {
-  for (uint32_t n = tree.root;;) {
+// Returns the lowest node above a block whose box holds another one, or the root.
+uint32_t node_around(const TreeStore& tree, uint32_t block, const FloatBox& box) {
+  uint32_t n = tree.blocks[block].parent;
+  while (n != tree.root && !tree.slot_box(tree.nodes[n].parent, tree.nodes[n].slot).holds(box))
+    n = tree.nodes[n].parent;
+  return n;
+}
+
+// Returns the block found from a node by following the slot whose box grows least with the added box.
+uint32_t block_that_grows_least(const TreeStore& tree, uint32_t n, const FloatBox& added) {
+  for (;;) {
     const WideNode& node = tree.nodes[n];
     Child best;
     std::pair<float, float> least;  // how much the box grows, and how large it is then
@@ -122,10 +130,17 @@ void shrink_block(TreeStore& tree, uint32_t b) {
   settle(tree, parent);
 }
 
-void add_face(TreeStore& tree, const Mesh& mesh, FaceId f) {
-  assert(tree.place(f) == kNoIndex && tree.root != kNoIndex);
-  const TreeFace face(tree.frame, mesh, f);
-  BlockFiller(tree).fill(block_that_grows_least(tree, face.box()), {&face, 1});
+void add_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> faces) {
+  BlockFiller filler(tree);
+  uint32_t latest = kNoIndex;  // block
+  for (const FaceId f : faces) {
+    assert(tree.place(f) == kNoIndex && tree.root != kNoIndex);
+    const TreeFace face(tree.frame, mesh, f);
+    const FloatBox box = face.box();
+    const uint32_t n = latest == kNoIndex ? tree.root : node_around(tree, latest, box);
+    filler.fill(block_that_grows_least(tree, n, box), {&face, 1});
+    latest = tree.place(f) / kBlockWidth;
+  }
 }
 
 void remove_face(TreeStore& tree, FaceId f) {

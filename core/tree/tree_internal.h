@@ -19,9 +19,10 @@ namespace kerf {
 // BlockFiller).
 void replace_faces(TreeStore& tree, const Mesh& mesh, std::span<const Replacement> all);
 
-// Adds a leaf to the block found by descending from the root into the child whose box grows least in area.
-// Preconditions: the face is not in the tree, and the tree is not empty.
-void add_face(TreeStore& tree, const Mesh& mesh, FaceId f);
+// Adds leaves, each to the block found by descending into the child whose box grows least in area: from the
+// root, or from the lowest node around both the face and the one before. Preconditions: the faces are not in
+// the tree, and the tree is not empty.
+void add_faces(TreeStore& tree, const Mesh& mesh, std::span<const FaceId> faces);
 
 // Removes a leaf, and each block or node that becomes empty. Replaces a node with a single child by that
 // child. Shrinks the ancestors' boxes up to the first one that does not change.

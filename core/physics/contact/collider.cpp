@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "core/mesh/face_batches.h"
+
 namespace kerf {
 
 namespace {
@@ -25,20 +27,19 @@ VertexNormals normals_of(const Mesh& mesh) {
   n.of_vertex.resize(mesh.vertex_slots(), Vec3(0));
   n.areas_at.resize(mesh.vertex_slots(), 0);
   std::vector<bool> seen(mesh.vertex_slots(), false);
-  const Positions at = mesh.positions();
-  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
-    const FaceId f(slot);
-    if (!mesh.is_live(f)) continue;
-    const std::array<VertexId, 3> corners = mesh.corners(f);
-    const Vec3 area = glm::cross(at[corners[1]] - at[corners[0]], at[corners[2]] - at[corners[0]]);
-    const double length = glm::length(area);
-    if (length > 0) n.of_face[slot] = area / length;
-    for (VertexId v : corners) {
-      n.of_vertex[v.index] += area;
-      n.areas_at[v.index] += length;
-      seen[v.index] = true;
+  for_each_batch(mesh, 0, mesh.face_slots(), [&](const TriangleBatch& batch) {
+    for (uint32_t i = 0; i < batch.count(); ++i) {
+      const Triangle& t = batch.triangle(i);
+      const Vec3 area = glm::cross(t[1] - t[0], t[2] - t[0]);
+      const double length = glm::length(area);
+      if (length > 0) n.of_face[batch.face(i).index] = area / length;
+      for (VertexId v : batch.corners(i)) {
+        n.of_vertex[v.index] += area;
+        n.areas_at[v.index] += length;
+        seen[v.index] = true;
+      }
     }
-  }
+  });
   for (uint32_t v = 0; v < seen.size(); ++v) {
     if (seen[v]) n.used.push_back(VertexId(v));
   }
@@ -209,12 +210,9 @@ std::vector<Vec3> corners_of(const Mesh& mesh, const VertexNormals& normals, con
 
 Occupancy space_of(const Mesh& mesh, const Collider& collider) {
   Occupancy space(collider.bounds);
-  const Positions at = mesh.positions();
-  for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
-    if (!mesh.is_live(FaceId(slot))) continue;
-    const auto [a, b, c] = mesh.corners(FaceId(slot));
-    space.add({glm::min(glm::min(at[a], at[b]), at[c]), glm::max(glm::max(at[a], at[b]), at[c])});
-  }
+  for_each_triangle(mesh, 0, mesh.face_slots(), [&](FaceId, const Triangle& t) {
+    space.add({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
+  });
   for (const Collider::Chord& c : collider.chords)
     space.add({glm::min(c.from, c.to), glm::max(c.from, c.to)});
   return space;
@@ -294,7 +292,9 @@ double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) 
 class ClusterDivision {
  public:
   ClusterDivision(std::span<const std::array<Vec3, 2>> segments, Clustering& out)
-      : segments_(segments), out_(out) {}
+      : segments_(segments), out_(out) {
+    for (const std::array<Vec3, 2>& s : segments) middles_.push_back(0.5 * (s[0] + s[1]));
+  }
 
   // `around`: the number of items of the enclosing cluster.
   void divide(uint32_t begin, uint32_t end, uint32_t around) {
@@ -311,17 +311,15 @@ class ClusterDivision {
     const int axis = widest_axis(begin, end);
     const auto first = out_.order.begin();
     std::stable_sort(first + begin, first + end,
-                     [&](uint32_t a, uint32_t b) { return middle(a)[axis] < middle(b)[axis]; });
+                     [&](uint32_t a, uint32_t b) { return middles_[a][axis] < middles_[b][axis]; });
     const uint32_t half = begin + (end - begin) / 2;
     divide(begin, half, around);
     divide(half, end, around);
   }
 
-  Vec3 middle(uint32_t i) const { return 0.5 * (segments_[i][0] + segments_[i][1]); }
-
   int widest_axis(uint32_t begin, uint32_t end) const {
     Box box;
-    for (uint32_t i = begin; i < end; ++i) box.add(middle(out_.order[i]));
+    for (uint32_t i = begin; i < end; ++i) box.add(middles_[out_.order[i]]);
     return box.widest_axis();
   }
 
@@ -340,6 +338,7 @@ class ClusterDivision {
   }
 
   std::span<const std::array<Vec3, 2>> segments_;
+  std::vector<Vec3> middles_;  // of the segments
   Clustering& out_;
 };
 
@@ -506,19 +505,20 @@ std::vector<Vec3> simplified(const std::vector<Vec3>& line, double error) {
 void select_spread_points(const std::vector<Vec3>& points, size_t most, std::vector<uint32_t>& selected) {
   if (points.empty()) return;
   std::vector<double> apart(points.size(), std::numeric_limits<double>::infinity());
+  uint32_t farthest = 0;
   const auto measure_from = [&](uint32_t c) {
     KERF_ASSERT(c < points.size());
-    for (size_t i = 0; i < points.size(); ++i) {
+    double longest = -1;
+    for (uint32_t i = 0; i < points.size(); ++i) {
       const Vec3 d = points[i] - points[c];
       apart[i] = std::min(apart[i], glm::dot(d, d));
+      if (apart[i] > longest) longest = apart[i], farthest = i;
     }
   };
   for (uint32_t c : selected) measure_from(c);
-  while (selected.size() < most) {
-    const auto farthest = std::max_element(apart.begin(), apart.end());
-    if (!(*farthest > 0)) return;
-    selected.push_back(static_cast<uint32_t>(farthest - apart.begin()));
-    measure_from(selected.back());
+  while (selected.size() < most && apart[farthest] > 0) {
+    selected.push_back(farthest);
+    measure_from(farthest);
   }
 }
 
@@ -530,8 +530,10 @@ void select_extreme(const std::vector<Vec3>& points, std::vector<uint32_t>& sele
         if (std::abs(x) + std::abs(y) + std::abs(z) == 2 || (x == 0 && y == 0 && z == 0)) continue;
         const Vec3 way(x, y, z);
         uint32_t best = 0;
+        double most = glm::dot(points[0], way);
         for (uint32_t i = 1; i < points.size(); ++i) {
-          if (glm::dot(points[i], way) > glm::dot(points[best], way)) best = i;
+          const double at = glm::dot(points[i], way);
+          if (at > most) most = at, best = i;
         }
         if (std::find(selected.begin(), selected.end(), best) == selected.end()) selected.push_back(best);
       }

@@ -157,20 +157,21 @@ double HeatSolver::row_times(size_t row, double diagonal, const std::vector<doub
   return sum;
 }
 
-void HeatSolver::begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
-                       const std::vector<double>& x) {
+HeatSolver::Norms HeatSolver::begin(const std::vector<HeatRegion::Link>& links,
+                                    const HeatEquations& equations, const std::vector<double>& x) {
   const size_t count = x.size();
   sort_by_rows(links, equations.seconds, count);
   residual_.resize(count);
   inverse_.resize(count);
   product_.resize(count);
   direction_.assign(count, 0);
-  norms_ = {};
+  Norms norms;
   for (size_t i = 0; i < count; ++i) {
     residual_[i] = equations.right[i] - row_times(i, equations.diagonal[i], x);
     inverse_[i] = equations.diagonal[i] > 0 ? 1 / equations.diagonal[i] : 0;
-    norms_.add(inverse_[i] * residual_[i], residual_[i], x[i]);
+    norms.add(inverse_[i] * residual_[i], residual_[i], x[i]);
   }
+  return norms;
 }
 
 void HeatSolver::Norms::add(double scaled, double residual, double x) {
@@ -181,11 +182,11 @@ void HeatSolver::Norms::add(double scaled, double residual, double x) {
 
 void HeatSolver::solve(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
                        std::vector<double>& x) {
-  begin(links, equations, x);
+  Norms norms = begin(links, equations, x);
   const size_t count = x.size();
   double beta = 0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    if (norms_.worst <= kTolerance * norms_.largest) return;
+    if (norms.worst <= kTolerance * norms.largest) return;
     for (size_t i = 0; i < count; ++i) direction_[i] = inverse_[i] * residual_[i] + beta * direction_[i];
     double curvature = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -193,15 +194,16 @@ void HeatSolver::solve(const std::vector<HeatRegion::Link>& links, const HeatEqu
       curvature += direction_[i] * product_[i];
     }
     if (!(curvature > 0)) return;
-    const Norms before = norms_;
-    const double step = before.dot / curvature;
-    norms_ = {};
+    const double before = norms.dot, step = before / curvature;
+    // A local sum stays in registers, because the arrays cannot alias it.
+    Norms next;
     for (size_t i = 0; i < count; ++i) {
       x[i] += step * direction_[i];
       residual_[i] -= step * product_[i];
-      norms_.add(inverse_[i] * residual_[i], residual_[i], x[i]);
+      next.add(inverse_[i] * residual_[i], residual_[i], x[i]);
     }
-    beta = norms_.dot / before.dot;
+    norms = next;
+    beta = norms.dot / before;
   }
 }
 

@@ -108,10 +108,10 @@ class HeatSolver {
   // bit.
   void sort_by_rows(const std::vector<HeatRegion::Link>& links, double seconds, size_t rows);
   double row_times(size_t row, double diagonal, const std::vector<double>& x) const;
-  void begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
-             const std::vector<double>& x);
+  // Prepares the rows and the residual; returns its norms.
+  Norms begin(const std::vector<HeatRegion::Link>& links, const HeatEquations& equations,
+              const std::vector<double>& x);
 
-  Norms norms_;
   std::vector<double> residual_, inverse_, direction_, product_;
   // The off-diagonal entries of the matrix, negated (J/K), row after row, and the end of each row.
   std::vector<uint32_t> columns_, row_end_;

@@ -505,6 +505,18 @@ void append_sheet_sides_in(const Mesh& mesh, uint32_t first, uint32_t end, std::
   }
 }
 
+std::array<SheetEdge, 3> sheet_edges_of(const Mesh& mesh, FaceId f) {
+  KERF_ASSERT(mesh.is_live(f));
+  const HalfEdges& m = mesh.kernel().half_edges;
+  std::array<SheetEdge, 3> edges;
+  HalfEdgeId h = m.first(f);
+  for (SheetEdge& edge : edges) {
+    edge = {m.from(h), m.to(h), m.face(opposite(h)), next_in_ring(mesh.kernel(), h) != h};
+    h = m.next(h);
+  }
+  return edges;
+}
+
 void append_sheet_neighbours(const Mesh& mesh, FaceId f, std::vector<FaceId>& out) {
   const HalfEdges& m = mesh.kernel().half_edges;
   HalfEdgeId h = m.first(f);

@@ -478,6 +478,15 @@ struct SheetSide {
 void append_sheet_sides_of(const Mesh& mesh, FaceId f, std::vector<SheetSide>& out);
 void append_sheet_sides_in(const Mesh& mesh, uint32_t first, uint32_t end, std::vector<SheetSide>& out);
 
+// A side of a face, and the other face of its edge on the same sheet, which is invalid on a boundary.
+struct SheetEdge {
+  VertexId from, to;
+  FaceId across;
+  bool is_shared;  // the edge is in a ring
+};
+// Returns the sides of a live face, in the order of its corners.
+std::array<SheetEdge, 3> sheet_edges_of(const Mesh& mesh, FaceId f);
+
 // Appends the neighbours of a live face on its sheet: the other face on each edge, without faces reached over
 // rings.
 void append_sheet_neighbours(const Mesh& mesh, FaceId f, std::vector<FaceId>& out);

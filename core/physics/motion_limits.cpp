@@ -23,11 +23,15 @@ int widest_axis(std::span<const MovingBody> bodies) {
 // tilted sheets have small bounds in their own frames and large ones in the world. Either may move or stay.
 bool meets_in_frame_of(const MovingBody& other, const MovingBody& b) {
   KERF_ASSERT(other.margin >= 0 && b.margin >= 0);
+  const double margin = std::min(other.margin, b.margin);
   Box way;
   for (const RigidMap* to : {&other.now, &other.next}) {
-    for (const RigidMap* from : {&b.now, &b.next}) way.add(moved(into(*to, *from), b.collider->bounds));
+    for (const RigidMap* from : {&b.now, &b.next}) {
+      way.add(moved(into(*to, *from), b.collider->bounds));
+      if (way.wider(margin).overlaps(other.collider->bounds)) return true;
+    }
   }
-  return way.wider(std::min(other.margin, b.margin)).overlaps(other.collider->bounds);
+  return false;
 }
 
 bool can_touch(const MovingBody& a, const MovingBody& b) {

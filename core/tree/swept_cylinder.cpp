@@ -173,8 +173,8 @@ double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const
   double low = 0, high = 1;
   for (int i = 0; i < kThirds; ++i) {
     const double third = (high - low) / 3;
-    (at(low + third) <= at(high - third) ? high : low) =
-        at(low + third) <= at(high - third) ? high - third : low + third;
+    const bool is_early = at(low + third) <= at(high - third);
+    (is_early ? high : low) = is_early ? high - third : low + third;
   }
   return std::min({at(0), at(1), at(0.5 * (low + high))});
 }

@@ -423,9 +423,15 @@ FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
   for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
     const FaceId f(slot);
     if (!mesh.is_live(f)) continue;
-    const std::array<VertexId, 3> corners = mesh.corners(f);
-    for (size_t i = 0; i < 3; ++i) {
-      const VertexId from = corners[i], to = corners[(i + 1) % 3];
+    const auto bends_to = [&](FaceId other) {
+      return glm::dot(normals[slot], normals[other.index]) < kCreaseCosine;
+    };
+    for (const auto& [from, to, across, is_shared] : sheet_edges_of(mesh, f)) {
+      if (!is_shared) {
+        const bool rim = !across.valid();
+        if (rim || (f < across && bends_to(across))) edges.lines.push_back({from, to, f, rim});
+        continue;
+      }
       sides.clear();
       mesh.append_edge_sides(f, from, to, sides);
       if (sides.empty()) {
@@ -435,9 +441,8 @@ FeatureEdges feature_edges(const Mesh& mesh, const std::vector<Vec3>& normals) {
       const bool first =
           std::all_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) { return f < s.face; });
       if (!first) continue;
-      const bool bends = std::any_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) {
-        return glm::dot(normals[slot], normals[s.face.index]) < kCreaseCosine;
-      });
+      const bool bends =
+          std::any_of(sides.begin(), sides.end(), [&](const Mesh::Side& s) { return bends_to(s.face); });
       if (bends || sides.size() > 1) (bends ? edges.lines : edges.seams).push_back({from, to, f, false});
     }
   }

@@ -35,7 +35,7 @@ RigidFrame rigid_frame(const Body& body);
 struct RigidMap {
   glm::dmat3 turn{1.0};
   Vec3 shift{0};
-  Vec3 operator()(const Vec3& p) const { return turn * p + shift; }
+  [[gnu::always_inline]] Vec3 operator()(const Vec3& p) const { return turn * p + shift; }
 };
 
 inline RigidMap map_of(const Placement& placement) {

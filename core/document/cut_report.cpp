@@ -44,7 +44,9 @@ Extremes extremes_of(const World& world) {
   return extremes;
 }
 
-double degrees(double cosine) { return std::acos(cosine) * 180 / kPi; }
+double degrees(double cosine) {
+  return degrees_of(det::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine));
+}
 
 // The quantile of sorted values: the value that this fraction of them does not exceed.
 double percentile(const std::vector<double>& sorted, double share) {

@@ -1,7 +1,6 @@
 #include "core/document/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -11,6 +10,7 @@
 #include "core/base/deterministic_math.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/hash.h"
+#include "core/mesh/files/vertex_colour.h"
 #include "core/mesh/measures.h"
 #include "core/world/body_creation.h"
 #include "core/world/body_mass.h"
@@ -36,12 +36,10 @@ bool is_solid(Solidity solid, const Body& loaded) {
   return enclosed.closed && enclosed.volume > 0;
 }
 
-// The linear value of one of the 256 levels of sRGB (IEC 61966-2-1). Colours enter no hash, so pow(), whose
-// results differ between machines, is acceptable.
+// The linear value of one of the 256 levels of sRGB.
 double linear_of(int step) {
   KERF_ASSERT(step >= 0 && step <= 255);
-  const double s = step / 255.0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  return srgb_to_linear(step / 255.0);
 }
 
 int nearest_step(double linear) {

@@ -12,21 +12,13 @@
 
 #include "core/base/geometry.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
 
 namespace {
 
 using SurfaceJson = nlohmann::ordered_json;
-
-double srgb_to_linear(double s) {
-  if (!(s > 0)) return 0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((std::min(s, 1.0) + 0.055) / 1.055, 2.4);
-}
-double linear_to_srgb(double light) {
-  if (!(light > 0)) return 0;
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(std::min(light, 1.0), 1 / 2.4) - 0.055;
-}
 
 // A number of a material, rounded to hide the error of converting it there and back.
 std::string short_number(double x) {

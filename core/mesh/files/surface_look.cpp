@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/base/deterministic_math.h"
 #include "core/mesh/files/surface_conversion.h"
 
 namespace kerf {
@@ -129,8 +130,9 @@ glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
     read_option(line.text, "-o", offset);
     offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
   }
-  const double c = std::cos(rotation), s = std::sin(rotation);
-  return glm::dmat3x2(c * scale.x, -s * scale.x, s * scale.y, c * scale.y, offset.x, offset.y);
+  const SinCos turn = sin_cos(std::fmod(rotation, 2 * kPi));
+  return glm::dmat3x2(turn.cos * scale.x, -turn.sin * scale.x, turn.sin * scale.y, turn.cos * scale.y, offset.x,
+                      offset.y);
 }
 
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {

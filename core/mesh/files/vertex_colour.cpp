@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
 
 namespace kerf {
 
@@ -12,15 +13,26 @@ uint16_t colour_part(double fraction) {
   return static_cast<uint16_t>(std::lround(std::min(fraction, 1.0) * VertexColour::kFull));
 }
 
-double linear_light(uint16_t part) {
-  const double s = fraction_of(part);
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+namespace {
+
+// Precondition: x is positive.
+double power(double x, double exponent) { return det::exp(exponent * det::log(x)); }
+
+}  // namespace
+
+double srgb_to_linear(double s) {
+  if (!(s > 0)) return 0;
+  if (s >= 1) return 1;
+  return s <= 0.04045 ? s / 12.92 : power((s + 0.055) / 1.055, 2.4);
 }
 
-uint16_t part_of_linear(double light) {
-  if (!(light > 0.0031308)) return colour_part(12.92 * light);
-  return colour_part(1.055 * std::pow(std::min(light, 1.0), 1 / 2.4) - 0.055);
+double linear_to_srgb(double light) {
+  if (!(light > 0)) return 0;
+  if (light >= 1) return 1;
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * power(light, 1 / 2.4) - 0.055;
 }
+
+uint16_t part_of_linear(double light) { return colour_part(linear_to_srgb(light)); }
 
 VertexColour mix(const VertexColour& a, const VertexColour& b, double fraction) {
   return mix({a, b, b}, {1 - fraction, fraction, 0});

@@ -24,8 +24,12 @@ struct VertexColour {
 uint16_t colour_part(double fraction);
 inline double fraction_of(uint16_t part) { return static_cast<double>(part) / VertexColour::kFull; }
 
-// Convert between a component of an sRGB colour and linear light, 0 .. 1 (IEC 61966-2-1).
-double linear_light(uint16_t part);
+// Convert between a component of an sRGB colour and linear light, 0 .. 1 (IEC 61966-2-1), bit-identical on
+// every machine. Values outside that range are clamped, and NaN becomes 0.
+double srgb_to_linear(double s);
+double linear_to_srgb(double light);
+
+inline double linear_light(uint16_t part) { return srgb_to_linear(fraction_of(part)); }
 uint16_t part_of_linear(double light);
 
 // Returns the colour between two at a fraction 0 .. 1 of the way.

@@ -148,7 +148,7 @@ class CutRun {
     for (const std::string& file : options_.meshes) inputs.add(file);
     inputs.add_meshes(scene_);
     for (const std::string& file :
-         {options_.path, options_.settings, options_.job.file(), options_.job.layers})
+         {options_.path, options_.settings, options_.job.file(), options_.job.layers, options_.job.axes})
       inputs.add(file);
     if (options_.material) inputs.add(assets_folder() / "materials.json");
     if (const Status free = folder.check("--out", inputs); !free) return free;

@@ -38,6 +38,7 @@ void JobInput::add_to(CLI::App& command) {
       "goes through the middle of the meshes; --at is then a point of the cylinder");
   add_number(command, "--power-at-s1000", power_at_s1000, kPositive,
              "With --gcode: beam power at S1000, in watts (S sets no power)");
+  command.add_option("--axes", axes, kAxesHelp);
 }
 
 Status JobInput::read(bool has_path, std::optional<double> radius) {
@@ -47,11 +48,13 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
       return bad_input("--onto, --at, --turn and --scale: require --drawing or --gcode");
     if (power_at_s1000) return bad_input("--power-at-s1000: requires --gcode");
     if (!layers.empty()) return bad_input("--layers: requires --drawing");
+    if (!axes.empty()) return bad_input("--axes: requires --gcode");
     return Done{};
   }
   if (has_path + !drawing.empty() + !gcode.empty() > 1)
     return bad_input("--path, --drawing and --gcode: give only one of them");
   if (power_at_s1000 && gcode.empty()) return bad_input("--power-at-s1000: requires --gcode");
+  if (!axes.empty() && gcode.empty()) return bad_input("--axes: requires --gcode");
   if (wrap && drawing.empty()) return bad_input("--wrap: requires --drawing");
   if (!layers.empty() && drawing.empty()) return bad_input("--layers: requires --drawing");
   const auto plane = plane_onto(onto.value_or("-y"));
@@ -68,17 +71,22 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (kind != JobFile::Kind::kSvg && kind != JobFile::Kind::kDxf && gcode.empty())
     return bad_input("--drawing: " + drawing + " must end in .svg or .dxf");
   const double tolerance = radius ? std::max(*radius / 50, 1e-9) : kCurveTolerance;
-  if (const Status s = unpack(read_job(file(), *kind, tolerance / plane_.scale), job_); !s) return s;
+  RotaryAxes rotary;
+  if (!axes.empty()) {
+    if (const Status s = unpack(read_rotary_axes(axes), rotary); !s) return s;
+  }
+  if (const Status s = unpack(read_job(file(), *kind, tolerance / plane_.scale, rotary), job_); !s) return s;
   if (layers.empty()) return Done{};
   if (const Status s = unpack(read_layers(layers), layers_); !s) return s;
   arrange_layers(layers_, job_.drawing.lines, job_.notes);
   return Done{};
 }
 
-// Without --at the plane lies before the meshes, against the beam.
+// Without --at the plane lies before the meshes, against the beam. With rotary axes the heights of the
+// program count, and its zero is that of the world.
 JobPlane JobInput::placed(const Bounds& bounds) const {
   JobPlane plane = plane_;
-  if (at) return plane;
+  if (at || !axes.empty()) return plane;
   if (wrap) {
     plane.at = bounds.centre() - *wrap * plane.beam;
     return plane;

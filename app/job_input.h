@@ -15,7 +15,7 @@ namespace kerf {
 
 // The options of `kerf cut` for a drawing or a program instead of a path file.
 struct JobInput {
-  std::string drawing, gcode, layers;  // files; empty: not given
+  std::string drawing, gcode, layers, axes;  // files; empty: not given
   std::optional<std::string> onto, at;
   std::optional<double> turn, scale, wrap, power_at_s1000;
 
@@ -38,6 +38,11 @@ struct JobInput {
   LayerTable layers_;
   JobPlane plane_;
 };
+
+// Help of --axes.
+inline constexpr const char* kAxesHelp =
+    "A JSON file that describes what the rotary axes A, B and C of the program turn: table or head, axis, "
+    "pivot; the zero of the program is then that of the world";
 
 // Distance from curves within which they are flattened without a radius [m].
 inline constexpr double kCurveTolerance = 1e-5;

@@ -17,7 +17,7 @@ namespace kerf {
 namespace {
 
 struct PathOptions {
-  std::string file, out, compensate = "none", tabs, post, layers;
+  std::string file, out, compensate = "none", tabs, post, layers, axes;
   std::optional<double> radius, lead_in, tolerance, power_at_s1000;
 
   PathSide side() const {
@@ -63,7 +63,11 @@ class PathRun {
     if (!options_.layers.empty()) {
       if (const Status s = unpack(read_layers(options_.layers), layers_); !s) return s;
     }
-    auto job = read_job(options_.file, *job_kind(options_.file), options_.tolerance.value_or(fifty));
+    RotaryAxes rotary;
+    if (!options_.axes.empty()) {
+      if (const Status s = unpack(read_rotary_axes(options_.axes), rotary); !s) return s;
+    }
+    auto job = read_job(options_.file, *job_kind(options_.file), options_.tolerance.value_or(fifty), rotary);
     if (!job) return job.error();
     arrange_layers(layers_, job->drawing.lines, job->notes);
     for (const std::string& note : job->notes) warn(options_.file + ": " + note);
@@ -96,8 +100,11 @@ class PathRun {
       return bad_input("--post: requires a program to write, a name that ends in .nc");
     if (!options_.layers.empty() && !is_drawing_file(options_.file))
       return bad_input("--layers: requires a drawing, .svg or .dxf");
+    if (!options_.axes.empty() && job_kind(options_.file) != JobFile::Kind::kProgram)
+      return bad_input("--axes: requires a program, .nc");
     InputFiles inputs;
-    for (const std::string& file : {options_.file, options_.post, options_.layers}) inputs.add(file);
+    for (const std::string& file : {options_.file, options_.post, options_.layers, options_.axes})
+      inputs.add(file);
     return inputs.check("--out", options_.out);
   }
 
@@ -208,6 +215,7 @@ void add_path_command(CLI::App& app, Invocation& invocation) {
   command->add_option(
       "--layers", o->layers,
       "A JSON file with radius, speed, power and order of the layers or colours of a drawing");
+  command->add_option("--axes", o->axes, kAxesHelp);
   on_call(
       *command, invocation, [o] { return PathRun(*o).run(); },
       "kerf path assets/drawings/flange.dxf --compensate right --radius 0.0001 --lead-in 0.001 --out "

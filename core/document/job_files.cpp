@@ -116,6 +116,11 @@ Vec3 JobPlane::point(Vec2 p, double height) const {
   return at + q.x * right + q.y * up - scale * height * beam;
 }
 
+Vec3 JobPlane::direction(const Vec3& d) const {
+  const auto [sin, cos] = sin_cos(turn);
+  return glm::normalize((cos * d.x - sin * d.y) * right + (sin * d.x + cos * d.y) * up - d.z * beam);
+}
+
 Pose JobPlane::wrapped_beam(Vec2 p) const {
   KERF_ASSERT(wrap > 0);
   const auto [turn_sin, turn_cos] = sin_cos(turn);
@@ -153,13 +158,14 @@ std::optional<JobFile::Kind> job_kind(const std::filesystem::path& file) {
 }
 
 Result<JobFile> read_job_text(std::string_view text, const std::string& where, JobFile::Kind kind,
-                              double tolerance) {
+                              double tolerance, const RotaryAxes& rotary) {
   JobFile job;
   job.kind = kind;
   if (kind == JobFile::Kind::kPath) {
     if (const Status s = unpack(read_path_text(text, where), job.path); !s) return s.error();
   } else if (kind == JobFile::Kind::kProgram) {
-    if (const Status s = unpack(read_gcode(text, where, tolerance), job.program); !s) return s.error();
+    if (const Status s = unpack(read_gcode(text, where, tolerance, rotary), job.program); !s)
+      return s.error();
     job.notes = job.program.notes;
   } else {
     auto drawing =
@@ -174,10 +180,39 @@ Result<JobFile> read_job_text(std::string_view text, const std::string& where, J
   return job;
 }
 
-Result<JobFile> read_job(const std::filesystem::path& file, JobFile::Kind kind, double tolerance) {
+Result<JobFile> read_job(const std::filesystem::path& file, JobFile::Kind kind, double tolerance,
+                         const RotaryAxes& rotary) {
   const auto text = read_text_file(file);
   if (!text) return text.error();
-  return read_job_text(*text, file.string(), kind, tolerance);
+  return read_job_text(*text, file.string(), kind, tolerance, rotary);
+}
+
+static void describe(Fields& f, RotaryAxis& axis) {
+  constexpr std::array kTurns{"table", "head"};
+  std::string letter(1, axis.letter);
+  f.text("letter", letter);
+  f.check(letter == "A" || letter == "B" || letter == "C", "letter", "must be \"A\", \"B\" or \"C\"");
+  if (f.reading() && !letter.empty()) axis.letter = letter.front();
+  f.choice("turns", axis.turns, kTurns);
+  f.vector("axis", axis.axis, VectorRule::kNotZero);
+  f.vector("pivot", axis.pivot, VectorRule::kNearby, Vec3(0));
+  if (f.reading() && f.good()) axis.axis = beam_direction(axis.axis);
+}
+
+static void describe(Fields& f, RotaryAxes& rotary) {
+  constexpr NumberRange kHeight{0, 1e3, "m"};
+  f.elements("axes", "axes", kNeeded, rotary.axes, [&](size_t i, Fields& axis) {
+    describe(axis, rotary.axes[i]);
+    const char letter = rotary.axes[i].letter;
+    for (size_t k = 0; k < i; ++k)
+      axis.check(rotary.axes[k].letter != letter, "letter", "is in the list twice");
+  });
+  f.check(!rotary.axes.empty(), "axes", "must list an axis");
+  f.number("height", rotary.height, kHeight, 0.0);
+}
+
+Result<RotaryAxes> read_rotary_axes(const std::filesystem::path& file) {
+  return read_described<RotaryAxes>(file);
 }
 
 std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 middle,
@@ -201,8 +236,15 @@ std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& 
   std::vector<StrokePath> strokes;
   for (const ProgramStroke& lit : program.strokes) {
     StrokePath& stroke = strokes.emplace_back();
-    for (const Vec3& point : lit.points)
-      stroke.keys.push_back({plane.point({point.x, point.y}, point.z), plane.beam});
+    for (size_t k = 0; k < lit.points.size(); ++k) {
+      const Vec3& point = lit.points[k];
+      if (lit.angles.empty()) {
+        stroke.keys.push_back({plane.point({point.x, point.y}, point.z), plane.beam});
+        continue;
+      }
+      const Pose beam = program.rotary.beam({point, lit.angles[k]});
+      stroke.keys.push_back({plane.point(Vec2(beam.origin), beam.origin.z), plane.direction(beam.direction)});
+    }
     stroke.times = lit.times;
     if (power_at_s1000) stroke.power = lit.power_word / 1000 * *power_at_s1000;
   }

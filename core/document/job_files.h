@@ -29,6 +29,8 @@ struct JobPlane {
 
   // Maps a point of the plane, which lies `height` metres before it against the beam.
   Vec3 point(Vec2 p, double height) const;
+  // Maps a unit vector with such coordinates.
+  Vec3 direction(const Vec3& d) const;
   // Maps a point of the wrapped plane to a beam that starts one radius above the cylinder and reaches its
   // surface there. Precondition: wrap > 0.
   Pose wrapped_beam(Vec2 p) const;
@@ -65,19 +67,28 @@ struct JobFile {
 std::optional<JobFile::Kind> job_kind(const std::filesystem::path& file);
 
 // Read a file or its text. Curves are flattened within `tolerance` [m, > 0]; `where` names the text in
-// errors. Fail with bad input like read_svg(), read_dxf(), read_gcode() and read_path_file(), and for
-// drawings without lines.
-Result<JobFile> read_job(const std::filesystem::path& file, JobFile::Kind kind, double tolerance);
+// errors; `rotary` holds the rotary axes of programs. Fail with bad input like read_svg(), read_dxf(),
+// read_gcode() and read_path_file(), and for drawings without lines.
+Result<JobFile> read_job(const std::filesystem::path& file, JobFile::Kind kind, double tolerance,
+                         const RotaryAxes& rotary = {});
 Result<JobFile> read_job_text(std::string_view text, const std::string& where, JobFile::Kind kind,
-                              double tolerance);
+                              double tolerance, const RotaryAxes& rotary = {});
+
+// Reads the JSON of the rotary axes of a machine. Lists with a letter twice or without axes are bad input.
+//
+//   {"axes": [{"letter": "A", "turns": "table", "axis": [1, 0, 0], "pivot": [0, 0, -0.025]}], "height":
+//   0.005}
+//
+// `pivot` and `height` are zero by default.
+Result<RotaryAxes> read_rotary_axes(const std::filesystem::path& file);
 
 // Returns the strokes of lines of a drawing, in order, at kDrawingSpeed. A closed line ends at its first
 // point. On a wrapped plane the beam turns by at most kWrapStep between two keys, and its range ends at the
 // axis.
 std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 middle, const JobPlane& plane);
 
-// Returns the strokes of a program. X is to the right, Y up and Z against the beam. Times are those of the
-// program. With `power_at_s1000` [W], S sets the power.
+// Returns the strokes of a program. X is to the right, Y up and Z against the beam, before rotary axes turn
+// it. Times are those of the program. With `power_at_s1000` [W], S sets the power.
 std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& plane,
                                         std::optional<double> power_at_s1000);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace {
 constexpr double kMaxGcodeNumber = 1e9;
 constexpr double kMaxTurns = 1000;    // of one arc
 constexpr double kMaxDuration = 1e9;  // s
+constexpr const char* kTooManyPoints = "the program has more than 4 000 000 points";
 
 // A word of a block: a letter and a number.
 struct GcodeWord {
@@ -94,7 +96,9 @@ struct GcodeBlock {
     const auto& found = modal[static_cast<size_t>(group)];
     return found ? static_cast<int>(std::lround(10 * found->value)) : -1;
   }
-  bool has_axis() const { return letter('X') || letter('Y') || letter('Z'); }
+  bool has_axis() const {
+    return std::ranges::any_of(std::string_view("XYZABC"), [&](char c) { return letter(c).has_value(); });
+  }
 };
 
 enum class GcodeMotion { kRapid = 0, kFeed = 1, kClockwise = 2, kCounterClockwise = 3 };
@@ -102,8 +106,8 @@ enum class GcodeMotion { kRapid = 0, kFeed = 1, kClockwise = 2, kCounterClockwis
 // Reads and executes a program line by line.
 class GcodeReader {
  public:
-  GcodeReader(std::string_view text, const std::string& file, double tolerance)
-      : text_(text), file_(file), tolerance_(tolerance) {}
+  GcodeReader(std::string_view text, const std::string& file, double tolerance, const RotaryAxes& rotary)
+      : text_(text), file_(file), tolerance_(tolerance), rotary_(rotary) {}
 
   Result<Program> read() {
     if (text_.find('\0') != std::string_view::npos)
@@ -123,6 +127,7 @@ class GcodeReader {
     end_stroke();
     if (!found_word_) return bad_input(file_ + ": the file has no words of G-code");
     program_.duration = time_;
+    program_.rotary = rotary_;
     for (const std::string& note : notes_) program_.notes.push_back(note);
     return std::move(program_);
   }
@@ -186,7 +191,9 @@ class GcodeReader {
       if (known == nullptr) return unknown(word);
       place = &block.modal[static_cast<size_t>(known->group)];
     } else {
-      if (std::string_view("FHIJKPRSXYZ").find(word.letter) == std::string_view::npos) return unknown(word);
+      if (std::string_view("FHIJKPRSXYZ").find(word.letter) == std::string_view::npos &&
+          !rotary_.has(word.letter))
+        return unknown(word);
       place = &block.letters[static_cast<size_t>(word.letter - 'A')];
     }
     // Two kinds of coolant may be on at once.
@@ -200,15 +207,19 @@ class GcodeReader {
     size_t end = word.at + 1;
     while (end < text_.size() && std::string_view("0123456789.-+").find(text_[end]) != std::string_view::npos)
       ++end;
+    const bool is_rotary = 'A' <= word.letter && word.letter <= 'C';
     return wrong(word.at,
-                 shown(word, end) + " is not supported; remove the word or use another post-processor");
+                 shown(word, end) + (is_rotary ? " is not supported without a description of this axis "
+                                                 "by --axes"
+                                               : " is not supported; remove the word or use another "
+                                                 "post-processor"));
   }
 
   // Executes the words of a line in the order of RS274.
   Status execute(const GcodeBlock& block) {
     if (const int feed = block.word(ModalGroup::kFeed); feed >= 0) {
       inverse_time_ = feed == 930;
-      feed_ = 0;
+      feed_ = turn_feed_ = 0;
     }
     if (const int units = block.word(ModalGroup::kUnits); units >= 0) unit_ = units == 200 ? 0.0254 : 0.001;
     if (const Status s = set_feed_and_power(block); !s) return s;
@@ -227,6 +238,8 @@ class GcodeReader {
     if (const int offsets = block.word(ModalGroup::kOffsets); offsets > 540)
       notes_.insert("G55 to G59: offsets of workpieces count as zero");
     if (const Status s = move(block); !s) return s;
+    if (!rotary_.axes.empty() && point_count_ > DrawingLimits::kMaxPoints)
+      return wrong(block.at, kTooManyPoints);
     if (const int stop = block.word(ModalGroup::kStop); stop >= 20) ended_ = true;
     return time_ <= kMaxDuration ? Status(Done{}) : wrong(block.at, "the program takes longer than 1e9 s");
   }
@@ -234,7 +247,8 @@ class GcodeReader {
   Status set_feed_and_power(const GcodeBlock& block) {
     if (const auto& feed = block.letter('F')) {
       if (!(feed->value > 0)) return wrong(feed->at, "F must be greater than zero");
-      feed_ = inverse_time_ ? feed->value / 60 : feed->value * unit_ / 60;
+      turn_feed_ = feed->value / 60;
+      feed_ = inverse_time_ ? turn_feed_ : feed->value * unit_ / 60;
     } else if (inverse_time_) {
       feed_ = 0;  // G93 needs an F in each line
     }
@@ -262,16 +276,22 @@ class GcodeReader {
     return Done{};
   }
 
-  // Returns the point that the axes of a block give, in metres of the machine.
-  Vec3 target(const GcodeBlock& block) const {
-    Vec3 to = position_;
+  // Returns the position that the axes of a block give, in the coordinates of the machine.
+  MachinePosition target(const GcodeBlock& block) const {
+    MachinePosition to = position_;
     const bool machine = block.word(ModalGroup::kMachine) >= 0;
-    for (int i = 0; i < 3; ++i) {
-      const auto& word = block.letter(static_cast<char>('X' + i));
-      if (!word) continue;
-      const double value = word->value * unit_;
-      to[i] = machine ? value : relative_ ? position_[i] + value : value + offset_[i];
-    }
+    const auto take = [&](char first, double unit, Vec3 MachinePosition::*part) {
+      for (int i = 0; i < 3; ++i) {
+        const auto& word = block.letter(static_cast<char>(first + i));
+        if (!word) continue;
+        const double value = word->value * unit;
+        (to.*part)[i] = machine     ? value
+                        : relative_ ? (position_.*part)[i] + value
+                                    : value + (offset_.*part)[i];
+      }
+    };
+    take('X', unit_, &MachinePosition::point);
+    take('A', 1, &MachinePosition::angles);
     return to;
   }
 
@@ -281,7 +301,7 @@ class GcodeReader {
     if (block.word(ModalGroup::kSetPosition) >= 0) return set_position(block);
     if (block.word(ModalGroup::kHome) >= 0) {
       if (block.has_axis()) rapid(target(block));
-      rapid(Vec3(0));
+      rapid({});
       return Done{};
     }
     const bool is_arc = motion_ == GcodeMotion::kClockwise || motion_ == GcodeMotion::kCounterClockwise;
@@ -294,38 +314,61 @@ class GcodeReader {
     if (!(feed_ > 0)) return wrong(block.at, "a feed move needs F, the speed");
     if (block.word(ModalGroup::kMachine) >= 0 && is_arc) return wrong(block.at, "G53 allows G0 and G1 only");
     if (is_arc) return arc(block, target(block));
-    feed_along({target(block)}, glm::length(target(block) - position_));
+    const MachinePosition to = target(block);
+    feed_along({to}, glm::length(to.point - position_.point));
     return Done{};
   }
 
-  // G92: the current point gets these coordinates.
+  // G92: the current position gets these coordinates.
   Status set_position(const GcodeBlock& block) {
-    if (!block.has_axis()) return wrong(block.at, "G92 needs X, Y or Z");
+    if (!block.has_axis()) return wrong(block.at, "G92 needs X, Y, Z or a rotary axis");
     for (int i = 0; i < 3; ++i) {
       if (const auto& word = block.letter(static_cast<char>('X' + i)))
-        offset_[i] = position_[i] - word->value * unit_;
+        offset_.point[i] = position_.point[i] - word->value * unit_;
+      if (const auto& word = block.letter(static_cast<char>('A' + i)))
+        offset_.angles[i] = position_.angles[i] - word->value;
     }
     return Done{};
   }
 
-  void rapid(const Vec3& to) {
+  void rapid(const MachinePosition& to) {
     end_stroke();
-    time_ += glm::length(to - position_) / kRapidSpeed;
+    time_ += std::max(glm::length(to.point - position_.point) / kRapidSpeed,
+                      glm::length(to.angles - position_.angles) / kRapidTurn);
     position_ = to;
   }
 
-  // Moves through the points of a path of this length at the feed.
-  void feed_along(const std::vector<Vec3>& points, double length) {
-    const double seconds = inverse_time_ ? 1 / feed_ : length / feed_;
+  // Moves through positions, at equal times, along a path of this length at the feed.
+  void feed_along(const std::vector<MachinePosition>& path, double length) {
+    const double turn = glm::length(path.back().angles - position_.angles);
+    const double seconds = inverse_time_             ? 1 / feed_
+                           : length > 0 || turn == 0 ? length / feed_
+                                                     : turn / turn_feed_;
     const bool is_on = enabled_ && power_ > 0;
     const double begin = time_;
     if (is_on && stroke_.points.empty()) begin_stroke(begin);
-    for (size_t i = 0; i < points.size(); ++i) {
-      time_ = begin + seconds * (static_cast<double>(i + 1) / static_cast<double>(points.size()));
-      position_ = points[i];
-      if (is_on) add_point(points[i]);
+    for (size_t i = 0; i < path.size(); ++i) {
+      const double share = 1 / static_cast<double>(path.size());
+      if (is_on) add_parts(path[i], begin + seconds * share * static_cast<double>(i), seconds * share);
+      time_ = begin + seconds * (static_cast<double>(i + 1) / static_cast<double>(path.size()));
+      position_ = path[i];
+      if (is_on) add_point(position_);
     }
     if (!is_on) end_stroke();
+  }
+
+  // Adds the points that divide a straight move with rotations.
+  void add_parts(const MachinePosition& to, double begin, double seconds) {
+    if (rotary_.axes.empty()) return;
+    const double parts =
+        std::min(rotary_.parts(position_, to, tolerance_), double{DrawingLimits::kMaxPoints});
+    const MachinePosition from = position_;
+    for (double k = 1; k < parts && point_count_ <= DrawingLimits::kMaxPoints; ++k) {
+      const double share = k / parts;
+      time_ = begin + seconds * share;
+      add_point(
+          {from.point + share * (to.point - from.point), from.angles + share * (to.angles - from.angles)});
+    }
   }
 
   // The axes of the plane of arcs, and the axis of helices.
@@ -335,9 +378,10 @@ class GcodeReader {
     return {0, 1, 2};
   }
 
-  Status arc(const GcodeBlock& block, const Vec3& to) {
+  Status arc(const GcodeBlock& block, const MachinePosition& target) {
     const auto [u, v, w] = plane_axes();
-    const Vec2 from2{position_[u], position_[v]}, to2{to[u], to[v]};
+    const Vec3 &from = position_.point, &to = target.point;
+    const Vec2 from2{from[u], from[v]}, to2{to[u], to[v]};
     Vec2 centre{0};
     if (block.letter('R')) {
       if (const Status s = centre_of_radius(block, from2, to2, centre); !s) return s;
@@ -359,26 +403,26 @@ class GcodeReader {
     if (!left && sweep >= 0) sweep -= 2 * kPi;
     sweep += (left ? 2 : -2) * kPi * (turns - 1);
     const double radius = std::max(first, last);
-    if (point_count_ >= DrawingLimits::kMaxPoints)
-      return wrong(block.at, "the program has more than 4 000 000 points");
+    if (point_count_ >= DrawingLimits::kMaxPoints) return wrong(block.at, kTooManyPoints);
     const size_t n = std::max<size_t>(
         chord_count(sweep * sweep * radius, tolerance_, DrawingLimits::kMaxPoints - point_count_),
         static_cast<size_t>(std::ceil(std::abs(sweep) / (2 * kPi / 3))));
-    std::vector<Vec3> points;
+    std::vector<MachinePosition> path;
     const double angle = det::atan2(begin.y, begin.x);
     for (size_t i = 1; i < n; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(n);
       const auto [sin, cos] = sin_cos(angle + share * sweep);
       const Vec2 point = centre + ((1 - share) * first + share * last) * Vec2(cos, sin);
-      Vec3 next{0};
-      next[u] = point.x;
-      next[v] = point.y;
-      next[w] = (1 - share) * position_[w] + share * to[w];
-      points.push_back(next);
+      MachinePosition next;
+      next.point[u] = point.x;
+      next.point[v] = point.y;
+      next.point[w] = (1 - share) * from[w] + share * to[w];
+      next.angles = (1 - share) * position_.angles + share * target.angles;
+      path.push_back(next);
     }
-    points.push_back(to);
-    const double climb = to[w] - position_[w], round = 0.5 * (first + last) * std::abs(sweep);
-    feed_along(points, std::sqrt(round * round + climb * climb));
+    path.push_back(target);
+    const double climb = to[w] - from[w], round = 0.5 * (first + last) * std::abs(sweep);
+    feed_along(path, std::sqrt(round * round + climb * climb));
     return Done{};
   }
 
@@ -409,7 +453,7 @@ class GcodeReader {
                    "this offset is not in the plane of the arc");
     if (!block.letter(static_cast<char>('I' + u)) && !block.letter(static_cast<char>('I' + v)))
       return wrong(block.at, "an arc needs its centre (I, J, K) or its radius (R)");
-    centre = {offset(u, from.x, offset_[u]), offset(v, from.y, offset_[v])};
+    centre = {offset(u, from.x, offset_.point[u]), offset(v, from.y, offset_.point[v])};
     // The tolerance of GRBL: 0.5 mm, and 0.005 mm or a thousandth of the radius.
     const double radius = glm::length(from - centre), error = std::abs(glm::length(to - centre) - radius);
     if (!(radius > 0)) return wrong(block.at, "the centre of the arc is its start");
@@ -419,16 +463,21 @@ class GcodeReader {
   }
 
   void begin_stroke(double time) {
-    stroke_ = {{position_}, {time}, power_, line_};
+    stroke_ = {{position_.point}, {time}, power_, line_, {}, {line_}};
+    if (!rotary_.axes.empty()) stroke_.angles.push_back(position_.angles);
     ++point_count_;
   }
 
-  void add_point(const Vec3& point) {
-    if (point == stroke_.points.back() && !(time_ > stroke_.times.back())) return;
+  void add_point(const MachinePosition& at) {
+    const bool is_same =
+        at.point == stroke_.points.back() && (rotary_.axes.empty() || at.angles == stroke_.angles.back());
+    if (is_same && !(time_ > stroke_.times.back())) return;
     // Times ascend even if the feed takes less time than a double can tell.
     time_ = std::max(time_, std::nextafter(stroke_.times.back(), 2 * kMaxDuration));
-    stroke_.points.push_back(point);
+    stroke_.points.push_back(at.point);
     stroke_.times.push_back(time_);
+    stroke_.lines.push_back(line_);
+    if (!rotary_.axes.empty()) stroke_.angles.push_back(at.angles);
     ++point_count_;
   }
 
@@ -440,6 +489,7 @@ class GcodeReader {
   std::string_view text_;
   const std::string& file_;
   double tolerance_;
+  const RotaryAxes& rotary_;
   Program program_;
   std::set<std::string> notes_;
   ProgramStroke stroke_;
@@ -447,9 +497,10 @@ class GcodeReader {
   bool ended_ = false, block_is_empty_ = true, found_word_ = false;
 
   // The state of the machine. Lengths are in metres, times in seconds.
-  Vec3 position_{0}, offset_{0};
+  MachinePosition position_, offset_;
   double time_ = 0, unit_ = 0.001, power_ = 0;
-  double feed_ = 0;  // m/s, or with G93 moves per second
+  double feed_ = 0;       // m/s, or with G93 moves per second
+  double turn_feed_ = 0;  // degrees/s, or with G93 moves per second
   GcodeMotion motion_ = GcodeMotion::kRapid;
   int plane_ = 170;
   bool relative_ = false, absolute_centre_ = false, inverse_time_ = false;
@@ -458,8 +509,9 @@ class GcodeReader {
 
 }  // namespace
 
-Result<Program> read_gcode(std::string_view text, const std::string& file, double tolerance) {
-  return GcodeReader(text, file, tolerance).read();
+Result<Program> read_gcode(std::string_view text, const std::string& file, double tolerance,
+                           const RotaryAxes& rotary) {
+  return GcodeReader(text, file, tolerance, rotary).read();
 }
 
 }  // namespace kerf

@@ -388,9 +388,17 @@ class Starts {
   std::vector<InCell> cells_;  // ascending
 };
 
-// Chains each piece to the one that starts nearest to its end.
-std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double radius) {
+// Chains each piece to the one that starts nearest to its end. With `around`, pieces also start one way round
+// farther.
+std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double radius, double around) {
   const Starts starts(pieces, radius);
+  const auto next = [&](Vec2 p) {
+    uint32_t found = starts.nearest(p);
+    for (const double shift : {-around, around}) {
+      if (around > 0 && found == Starts::kNoPiece) found = starts.nearest(p + Vec2(0, shift));
+    }
+    return found;
+  };
   std::vector<OutlineCurve> curves;
   std::vector<bool> used(pieces.size());
   for (uint32_t first = 0; first < pieces.size(); ++first) {
@@ -401,12 +409,56 @@ std::vector<OutlineCurve> chain(const std::vector<OutlinePiece>& pieces, double 
       used[i] = true;
       curve.pieces.push_back(pieces[i]);
       curve.length += pieces[i].length;
-      i = starts.nearest(pieces[i].to);
+      i = next(pieces[i].to);
     }
     if (i != first) return {};
     curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+// Distance from moves that their regions cannot reach, in radii.
+constexpr double kMarginAround = 2;
+
+double lowest_of(std::span<const DiscMove> moves) {
+  double lowest = moves.front().from.y;
+  for (const DiscMove& m : moves) lowest = std::min({lowest, m.from.y, m.to.y});
+  return lowest;
+}
+
+// Returns copies of the moves at all shifts by whole turns that count for two turns from the lowest move.
+std::vector<DiscMove> copied_around(std::span<const DiscMove> moves, double radius, double around) {
+  const double lowest = lowest_of(moves);
+  double highest = lowest;
+  for (const DiscMove& m : moves) highest = std::max({highest, m.from.y, m.to.y});
+  const double turns = (highest - lowest + 2 * kMarginAround * radius) / around;
+  std::vector<DiscMove> copies;
+  for (double k = turns > 1 ? -std::ceil(turns) : 0; k <= (turns > 1 ? 1 : 0); ++k) {
+    const Vec2 shift(0, k * around);
+    for (const DiscMove& m : moves) copies.push_back({m.from + shift, m.to + shift});
+  }
+  return copies;
+}
+
+// Keeps the pieces that start within one turn. The turn begins after `low`, in the middle of the widest gap
+// between starts, because equal pieces of two copies differ by rounding.
+void keep_one_turn(std::vector<OutlinePiece>& pieces, double low, double around) {
+  std::vector<double> starts;
+  for (const OutlinePiece& piece : pieces) {
+    if (low <= piece.from.y && piece.from.y < low + around) starts.push_back(piece.from.y);
+  }
+  if (starts.empty()) return pieces.clear();
+  std::sort(starts.begin(), starts.end());
+  double widest = starts.front() + around - starts.back(), begin = starts.back() - around + 0.5 * widest;
+  for (size_t i = 1; i < starts.size(); ++i) {
+    if (!(starts[i] - starts[i - 1] > widest)) continue;
+    widest = starts[i] - starts[i - 1];
+    begin = starts[i - 1] + 0.5 * widest;
+  }
+  if (begin < low) begin += around;
+  std::erase_if(pieces, [&](const OutlinePiece& piece) {
+    return !(begin <= piece.from.y && piece.from.y < begin + around);
+  });
 }
 
 }  // namespace
@@ -418,7 +470,18 @@ Vec2 OutlinePiece::at(double share) const {
 Task<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius) {
   KERF_ASSERT(radius > 0);
   const std::vector<OutlinePiece> pieces = co_await pieces_of_outline(moves, radius);
-  co_return chain(pieces, radius);
+  co_return chain(pieces, radius, 0);
+}
+
+Task<std::vector<OutlineCurve>> outline_around(std::span<const DiscMove> moves, double radius,
+                                               double around) {
+  KERF_ASSERT(radius > 0 && around > 0 && !moves.empty());
+  const std::vector<DiscMove> copies = copied_around(moves, radius, around);
+  std::vector<OutlinePiece> pieces = co_await pieces_of_outline(copies, radius);
+  keep_one_turn(pieces, lowest_of(moves) - kMarginAround * radius, around);
+  const auto sides = static_cast<uint32_t>(4 * moves.size());
+  for (OutlinePiece& piece : pieces) piece.side %= sides;
+  co_return chain(pieces, radius, around);
 }
 
 }  // namespace kerf

@@ -40,4 +40,8 @@ struct OutlineCurve {
 // regardless of the number of moves within a radius.
 Task<std::vector<OutlineCurve>> outline_of(std::span<const DiscMove> moves, double radius);
 
+// Returns the outline on a cylinder: positions whose y differ by `around` (m, > 0) are the same. Moves may
+// pass all round, and several times. The y of consecutive pieces of a curve may differ by `around`.
+Task<std::vector<OutlineCurve>> outline_around(std::span<const DiscMove> moves, double radius, double around);
+
 }  // namespace kerf

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <map>
 
 #include "core/base/assert.h"
@@ -13,38 +11,12 @@ namespace kerf {
 
 namespace {
 
-// Directions that differ by less are parallel: over the longest ranges lines deviate by 1e-3 radii at most.
-constexpr double kParallel = 1e-9;
-// Max distance of a line from the apex, in radii.
-constexpr double kAtApex = 1e-3;
-// Min cosine of the angle between a direction and the middle one.
-constexpr double kMinCosine = 0.3;
-
-template <typename Visit>
-void for_each_pose(std::span<const BeamMove> moves, Visit visit) {
-  for (const BeamMove& m : moves) {
-    visit(m.from);
-    visit(m.to);
-  }
-}
-
-// Returns the point with the smallest sum of squared distances from the lines.
-Vec3 nearest_to_lines(std::span<const BeamMove> moves) {
-  glm::dmat3 sum(0.0);
-  Vec3 right(0);
-  const Vec3 near = moves.front().from.origin;
-  for_each_pose(moves, [&](const Pose& pose) {
-    const glm::dmat3 across = glm::dmat3(1.0) - glm::outerProduct(pose.direction, pose.direction);
-    sum += across;
-    right += across * (pose.origin - near);
-  });
-  return near + glm::inverse(sum) * right;
-}
-
-// For beams through an apex: the number of depths, and the length below which curves are ignored, in radii,
-// since small gaps between strokes appear and disappear with the depth.
+// For beams that are not parallel: the number of depths, and the length below which curves are ignored, in
+// radii, since small gaps between strokes appear and disappear with the depth.
 constexpr size_t kSlices = 17;
 constexpr double kMinCurve = 1;
+// Min way round the axis of turning beams, in radii.
+constexpr double kMinAround = 4 * kPi;
 
 // Returns the nearest point of a piece, as a share of its length.
 double nearest_share(const OutlinePiece& piece, Vec2 p) {
@@ -85,59 +57,6 @@ bool is_on_end_alone(const NearBoundary& n) {
 
 }  // namespace
 
-std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double radius) {
-  KERF_ASSERT(!moves.empty());
-  BeamPencil pencil;
-  const Vec3 first = moves.front().from.direction;
-  Vec3 sum(0);
-  pencil.parallel_ = true;
-  pencil.origin_ = moves.front().from.origin;
-  for_each_pose(moves, [&](const Pose& pose) {
-    sum += pose.direction;
-    pencil.parallel_ = pencil.parallel_ && glm::length(pose.direction - first) <= kParallel;
-  });
-  if (!(glm::length(sum) > 0)) return std::nullopt;
-  pencil.axis_ = pencil.parallel_ ? first : glm::normalize(sum);
-  pencil.right_ = across(pencil.axis_);
-  pencil.up_ = glm::cross(pencil.axis_, pencil.right_);
-  if (pencil.parallel_) return pencil;
-  const Vec3 apex = nearest_to_lines(moves);
-  bool meet = true;
-  for_each_pose(moves, [&](const Pose& pose) {
-    const Vec3 from = apex - pose.origin;
-    const double distance = glm::length(from - glm::dot(from, pose.direction) * pose.direction);
-    meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kMinCosine;
-  });
-  if (!meet) return std::nullopt;
-  pencil.origin_ = apex;
-  return pencil;
-}
-
-BeamPencil::Seen BeamPencil::see(const Vec3& p) const {
-  const Vec3 a = p - origin_;
-  return {{glm::dot(a, right_), glm::dot(a, up_)}, glm::dot(a, axis_)};
-}
-
-Vec3 BeamPencil::point(Vec2 place, double depth) const {
-  return origin_ + depth * axis_ + place.x * right_ + place.y * up_;
-}
-
-double BeamPencil::longest_ellipse(std::span<const BeamMove> moves) const {
-  double longest = 1;
-  for_each_pose(moves,
-                [&](const Pose& pose) { longest = std::max(longest, 1 / glm::dot(pose.direction, axis_)); });
-  return longest;
-}
-
-DiscMove BeamPencil::at_depth(const BeamMove& move, double depth) const {
-  const auto centre = [&](const Pose& pose) {
-    if (parallel_) return see(pose.origin).place;
-    const Vec3 d = pose.direction * (depth / glm::dot(pose.direction, axis_));
-    return Vec2(glm::dot(d, right_), glm::dot(d, up_));
-  };
-  return {centre(move.from), centre(move.to)};
-}
-
 void WallChart::Curve::set_outline(OutlineCurve curve) {
   outline = std::move(curve);
   starts = {0};
@@ -177,9 +96,10 @@ Vec2 WallChart::Curve::at(double place) const {
   return piece.at(piece.length > 0 ? std::min((l - starts[i]) / piece.length, 1.0) : 0);
 }
 
-std::optional<WallChart::Near> WallChart::nearest(const Slice& slice, Vec2 p, double reach) {
+// Replaces `found` by the nearest place that is nearer than `best`, or as near if there is none.
+void WallChart::nearest_to(const Slice& slice, Vec2 p, std::optional<Near>& found, double& best) {
   std::optional<uint32_t> curve_of_best;
-  double best = reach, length = 0;  // along the curve
+  double length = 0;  // along the curve
   for (uint32_t c = 0; c < slice.curves.size(); ++c) {
     const Curve& curve = slice.curves[c];
     for (size_t i = 0; i < curve.outline.pieces.size(); ++i) {
@@ -190,15 +110,24 @@ std::optional<WallChart::Near> WallChart::nearest(const Slice& slice, Vec2 p, do
       }
       const OutlinePiece& piece = curve.outline.pieces[i];
       const double share = nearest_share(piece, p), distance = glm::length(piece.at(share) - p);
-      if (!(curve_of_best ? distance < best : distance <= best)) continue;
+      if (!(curve_of_best || found ? distance < best : distance <= best)) continue;
       curve_of_best = c;
       best = distance;
       length = curve.starts[i] + share * piece.length;
     }
   }
-  if (!curve_of_best) return std::nullopt;
+  if (!curve_of_best) return;
   const Curve& own = slice.curves[*curve_of_best];
-  return Near{*curve_of_best, modulo(own.place(length), own.period)};
+  found = Near{*curve_of_best, modulo(own.place(length), own.period)};
+}
+
+std::optional<WallChart::Near> WallChart::nearest(const Slice& slice, Vec2 p, double reach) {
+  std::optional<Near> found;
+  double best = reach;
+  if (slice.around == 0) nearest_to(slice, p, found, best);
+  for (double k = slice.first_turn; slice.around > 0 && k <= slice.last_turn; ++k)
+    nearest_to(slice, {p.x, modulo(p.y, slice.around) + k * slice.around}, found, best);
+  return found;
 }
 
 // Makes sides that are one piece of every slice landmarks. Returns true if the curves correspond.
@@ -261,31 +190,64 @@ bool WallChart::set_landmarks(std::vector<Slice>& slices) {
   return true;
 }
 
+WallChart::Guides WallChart::guides_of(std::vector<DiscMove> discs) {
+  Guides guides;
+  for (size_t i = 0; i < discs.size(); ++i) {
+    const DiscMove& m = discs[i];
+    if (i % kTogether == 0) guides.boxes.push_back({m.from, m.from});
+    Box& box = guides.boxes.back();
+    box = {glm::min(box.low, glm::min(m.from, m.to)), glm::max(box.high, glm::max(m.from, m.to))};
+  }
+  guides.moves = std::move(discs);
+  return guides;
+}
+
+Task<std::optional<WallChart::Slice>> WallChart::make_slice(std::span<const BeamMove> moves,
+                                                            std::span<const BeamPencil::Hit> hits,
+                                                            double radius, double depth) const {
+  Slice slice;
+  slice.depth = depth;
+  slice.around = pencil_.around(depth);
+  if (pencil_.kind() == BeamPencil::Kind::kApex && !(depth > radius)) co_return std::nullopt;
+  auto discs = pencil_.at_depth(moves, hits, depth);
+  if (!discs || discs->empty()) co_return std::nullopt;
+  std::vector<OutlineCurve> outlines;
+  if (slice.around > 0) {
+    if (!(slice.around > kMinAround * radius)) co_return std::nullopt;
+    outlines = co_await outline_around(*discs, radius, slice.around);
+    for (const DiscMove& m : *discs) {
+      slice.first_turn =
+          std::min(slice.first_turn, std::floor(std::min(m.from.y, m.to.y) / slice.around) - 1);
+      slice.last_turn = std::max(slice.last_turn, std::ceil(std::max(m.from.y, m.to.y) / slice.around) + 2);
+    }
+  } else {
+    outlines = co_await outline_of(*discs, radius);
+  }
+  for (OutlineCurve& outline : outlines) {
+    if (!pencil_.parallel() && outline.length < kMinCurve * radius) continue;
+    Curve curve;
+    curve.set_outline(std::move(outline));
+    slice.curves.push_back(std::move(curve));
+  }
+  if (slice.curves.empty()) co_return std::nullopt;
+  if (!pencil_.parallel() && !has_apex()) slice.guides = guides_of(std::move(*discs));
+  co_await yield_after(moves.size());
+  co_return slice;
+}
+
 Task<std::optional<WallChart>> WallChart::make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                               double radius, Interval depths) {
+                                               double radius, Interval depths, Interval range) {
   KERF_ASSERT(radius > 0);
   WallChart chart(pencil);
   const size_t slices = pencil.parallel() ? 1 : kSlices;
-  std::vector<DiscMove> discs(moves.size());
+  const std::vector<BeamPencil::Hit> hits = pencil.hits(moves, range, 0.5 * depths.low + 0.5 * depths.high);
   for (size_t s = 0; s < slices; ++s) {
-    Slice slice;
-    slice.depth = depths.low;
+    double depth = depths.low;
     if (slices > 1)
-      slice.depth += (depths.high - depths.low) * static_cast<double>(s) / static_cast<double>(slices - 1);
-    if (!pencil.parallel() && !(slice.depth > radius)) co_return std::nullopt;
-    for (size_t i = 0; i < moves.size(); ++i) discs[i] = pencil.at_depth(moves[i], slice.depth);
-    std::vector<OutlineCurve> outlines = co_await outline_of(discs, radius);
-    for (OutlineCurve& outline : outlines) {
-      if (!pencil.parallel() && outline.length < kMinCurve * radius) continue;
-      Curve curve;
-      curve.set_outline(std::move(outline));
-      slice.curves.push_back(std::move(curve));
-    }
-    if (slice.curves.empty() ||
-        slice.curves.size() != (s > 0 ? chart.slices_[0].curves.size() : slice.curves.size()))
-      co_return std::nullopt;
-    chart.slices_.push_back(std::move(slice));
-    co_await yield_after(moves.size());
+      depth += (depths.high - depths.low) * static_cast<double>(s) / static_cast<double>(slices - 1);
+    auto slice = co_await chart.make_slice(moves, hits, radius, depth);
+    if (!slice || (s > 0 && slice->curves.size() != chart.slices_[0].curves.size())) co_return std::nullopt;
+    chart.slices_.push_back(std::move(*slice));
   }
   if (slices > 1 && !set_landmarks(chart.slices_)) co_return std::nullopt;
   co_return chart;
@@ -300,18 +262,64 @@ std::pair<size_t, double> WallChart::slice_below(double depth) const {
   return {below, at - static_cast<double>(below)};
 }
 
+// The distance from the axis stays the same along the beam. Round an axis, arcs are compared as angles.
+std::pair<Vec2, Vec2> WallChart::along_beam(const BeamPencil::Seen& seen, size_t below, double share) const {
+  const Slice &a = slices_[below], &b = slices_[below + 1];
+  const double around = pencil_.around(seen.depth);
+  const auto scale = [&](const Slice& slice) { return Vec2(1, around > 0 ? around / slice.around : 1); };
+  const Vec2 scale_a = scale(a), scale_b = scale(b);
+  const auto between = [&](Vec2 at_a, Vec2 at_b) {
+    return (1 - share) * scale_a * at_a + share * scale_b * at_b;
+  };
+  double best = std::numeric_limits<double>::infinity();
+  std::pair<Vec2, Vec2> found;
+  const auto visit = [&](Vec2 p, size_t i) {
+    const DiscMove &in_a = a.guides.moves[i], &in_b = b.guides.moves[i];
+    const Vec2 from = between(in_a.from, in_b.from), way = between(in_a.to, in_b.to) - from;
+    const double length2 = glm::dot(way, way);
+    const double along = length2 > 0 ? std::clamp(glm::dot(p - from, way) / length2, 0.0, 1.0) : 0;
+    const Vec2 aside = p - (from + along * way);
+    if (!(glm::dot(aside, aside) < best)) return;
+    best = glm::dot(aside, aside);
+    found = {in_a.from + along * (in_a.to - in_a.from) + aside,
+             in_b.from + along * (in_b.to - in_b.from) + aside};
+  };
+  for (double k = a.first_turn; k <= a.last_turn; ++k) {
+    const Vec2 p(seen.place.x, around > 0 ? modulo(seen.place.y, around) + k * around : seen.place.y);
+    for (size_t i = 0; i < a.guides.moves.size(); ++i) {
+      if (i % kTogether == 0) {
+        const Box &in_a = a.guides.boxes[i / kTogether], &in_b = b.guides.boxes[i / kTogether];
+        const Vec2 nearest = glm::clamp(p, between(in_a.low, in_b.low), between(in_a.high, in_b.high));
+        if (glm::dot(p - nearest, p - nearest) > best) {
+          i += kTogether - 1;
+          continue;
+        }
+      }
+      visit(p, i);
+    }
+  }
+  return found;
+}
+
 std::optional<WallChart::Place> WallChart::place_of(const Vec3& p, double reach) const {
   const BeamPencil::Seen seen = pencil_.see(p);
   const auto [below, share] = slice_below(seen.depth);
-  const auto near = [&](size_t s) {
+  if (slices_.size() == 1) {
+    const auto only = nearest(slices_[0], seen.place, reach);
+    if (!only) return std::nullopt;
+    return Place{only->curve, only->place, seen.depth};
+  }
+  std::pair<Vec2, Vec2> at;
+  if (has_apex()) {
     // Towards an apex everything but the radius shrinks.
-    const double scale = pencil_.parallel() ? 1 : slices_[s].depth / seen.depth;
-    return nearest(slices_[s], seen.place * scale, reach);
-  };
-  const auto a = near(below);
+    at = {seen.place * (slices_[below].depth / seen.depth),
+          seen.place * (slices_[below + 1].depth / seen.depth)};
+  } else {
+    at = along_beam(seen, below, share);
+  }
+  const auto a = nearest(slices_[below], at.first, reach);
   if (!a) return std::nullopt;
-  if (slices_.size() == 1) return Place{a->curve, a->place, seen.depth};
-  const auto b = near(below + 1);
+  const auto b = nearest(slices_[below + 1], at.second, reach);
   if (!b || a->curve != b->curve) return std::nullopt;
   const double whole = period(a->curve);
   double way = b->place - a->place;
@@ -323,8 +331,13 @@ Vec3 WallChart::point_at(const Place& place) const {
   const auto [below, share] = slice_below(place.depth);
   const Vec2 a = slices_[below].curves[place.curve].at(place.around);
   if (slices_.size() == 1) return pencil_.point(a, place.depth);
-  const Vec2 b = slices_[below + 1].curves[place.curve].at(place.around);
-  return pencil_.point(a + share * (b - a), place.depth);
+  Vec2 b = slices_[below + 1].curves[place.curve].at(place.around);
+  const double around = pencil_.around(place.depth);
+  if (around == 0) return pencil_.point(a + share * (b - a), place.depth);
+  const double turn_a = a.y / slices_[below].around;
+  double turns = b.y / slices_[below + 1].around - turn_a;
+  turns -= std::round(turns);
+  return pencil_.point({a.x + share * (b.x - a.x), (turn_a + share * turns) * around}, place.depth);
 }
 
 std::vector<double> WallChart::corners(uint32_t curve, double turn) const {

@@ -8,59 +8,26 @@
 #include "core/base/geometry.h"
 #include "core/base/task.h"
 #include "core/laser/laser.h"
+#include "core/walls/beam_pencil_internal.h"
 #include "core/walls/outline.h"
 
 namespace kerf {
 
-// The axes of a moving beam if all of them are parallel or pass through one point, the apex. A plane across
-// their middle direction intersects the swept volume in regions swept by a disc. With an apex this is an
-// approximation: the section of a beam inclined to the middle direction is an ellipse.
-class BeamPencil {
- public:
-  // Returns the pencil of the moves of a beam of this radius (m); nullopt if the lines are neither parallel
-  // nor meet within 1e-3 radii, or one is inclined by more than 72 degrees. The moves and everything below
-  // are in one frame. Precondition: there is a move.
-  static std::optional<BeamPencil> of(std::span<const BeamMove> moves, double radius);
-
-  bool parallel() const { return parallel_; }
-
-  // A point in the coordinates of the pencil: its depth along the middle direction (m, from the apex, or from
-  // the origin of the first beam), and its position in the plane across that direction at this depth (m).
-  struct Seen {
-    Vec2 place;
-    double depth;
-  };
-  Seen see(const Vec3& p) const;
-  Vec3 point(Vec2 place, double depth) const;
-
-  // Returns the motion of the beam's axis in the plane at this depth.
-  DiscMove at_depth(const BeamMove& move, double depth) const;
-
-  // Returns the ratio of the longest ellipse in that plane to the disc, >= 1.
-  double longest_ellipse(std::span<const BeamMove> moves) const;
-
-  const Vec3& axis() const { return axis_; }
-
- private:
-  bool parallel_ = false;
-  Vec3 origin_{0};  // the apex, or the origin of the first beam
-  Vec3 axis_{0}, right_{0}, up_{0};
-};
-
 // Coordinates on the side of the volume that a beam has swept: the closed curve of its outline, the place
 // around that curve, and the depth.
 //
-// For parallel beams the outline is the same at all depths, and the place is the length along it. For beams
-// through an apex the outline is computed at several depths; sides that are part of all these outlines are
+// For parallel beams the outline is the same at all depths, and the place is the length along it. For other
+// beams the outline is computed at several depths; sides that are part of all these outlines are
 // landmarks with integer places, and between two landmarks the place is interpolated by length. The map is
 // then exact only at these depths, and serves to locate points relative to each other.
 class WallChart {
  public:
-  // Makes the chart for depths within `depths` (m, of the pencil). Returns nullopt if the outlines at
-  // different depths do not correspond: curves longer than a radius appear or disappear, or have no common
-  // side. Preconditions: radius > 0; `pencil` and `moves` outlive the task.
+  // Makes the chart for depths within `depths` (m, of the pencil), and a range of the beam. Returns nullopt
+  // if the outlines at different depths do not correspond: curves longer than a radius appear or disappear,
+  // or have no common side. Preconditions: radius > 0; `pencil` and `moves` outlive the task.
   static Task<std::optional<WallChart>> make(const BeamPencil& pencil, std::span<const BeamMove> moves,
-                                             double radius, Interval depths);
+                                             double radius, Interval depths,
+                                             Interval range = {0, std::numeric_limits<double>::infinity()});
 
   struct Place {
     uint32_t curve = 0;
@@ -68,6 +35,7 @@ class WallChart {
     double depth = 0;   // m
   };
   bool parallel() const { return pencil_.parallel(); }
+  bool has_apex() const { return pencil_.kind() == BeamPencil::Kind::kApex; }
   size_t curves() const { return slices_.front().curves.size(); }
   double period(uint32_t curve) const { return slices_.front().curves[curve].period; }
 
@@ -102,9 +70,18 @@ class WallChart {
     double length(double place) const;
     Vec2 at(double place) const;
   };
+  // The axes of the beam at a depth, for beams that turn, with boxes of each kTogether consecutive moves.
+  struct Guides {
+    std::vector<DiscMove> moves;
+    std::vector<Box> boxes;
+  };
   struct Slice {
     double depth = 0;
+    double around = 0;  // see BeamPencil::around
+    // Whole turns that lead from 0 .. around to all guides and pieces.
+    double first_turn = 0, last_turn = 0;
     std::vector<Curve> curves;
+    Guides guides{};
   };
   struct Near {
     uint32_t curve = 0;
@@ -112,7 +89,14 @@ class WallChart {
   };
 
   explicit WallChart(const BeamPencil& pencil) : pencil_(pencil) {}
+  Task<std::optional<Slice>> make_slice(std::span<const BeamMove> moves,
+                                        std::span<const BeamPencil::Hit> hits, double radius,
+                                        double depth) const;
+  static Guides guides_of(std::vector<DiscMove> discs);
   static std::optional<Near> nearest(const Slice& slice, Vec2 p, double reach);
+  static void nearest_to(const Slice& slice, Vec2 p, std::optional<Near>& found, double& best);
+  // Returns the places in two slices to which the nearest axis of the beam leads from a point between them.
+  std::pair<Vec2, Vec2> along_beam(const BeamPencil::Seen& seen, size_t below, double share) const;
   static bool set_landmarks(std::vector<Slice>& slices);
   // Returns the slice below a depth, and the share of the way to the next one.
   std::pair<size_t, double> slice_below(double depth) const;

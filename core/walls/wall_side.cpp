@@ -303,12 +303,20 @@ Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId>
                                      const WallStroke& stroke) {
   KERF_ASSERT(!vertices.empty());
   const Vec3 first = mesh.position(vertices[0]);
-  const auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
-  if (!pencil) co_return left_open("the beam did not rotate about a single point, or too far", first);
-  const Interval depths = depths_of(*pencil, mesh, vertices);
-  auto chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths);
+  auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
+  if (!pencil) co_return left_open("the beam turned too far for walls", first);
+  Interval depths = depths_of(*pencil, mesh, vertices);
+  auto chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths, stroke.range);
+  if (!chart && pencil->kind() == BeamPencil::Kind::kTurning) {
+    // The axis that the directions have in common may be far from the place of the rotation.
+    if (const auto ruled = BeamPencil::ruled(stroke.moves)) {
+      pencil = ruled;
+      depths = depths_of(*pencil, mesh, vertices);
+      chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths, stroke.range);
+    }
+  }
   if (!chart) co_return left_open("the sides of the beam at different depths do not correspond", first);
-  const double longer = pencil->longest_ellipse(stroke.moves) - 1;
+  const double longer = pencil->longest_ellipse(stroke.moves, depths.high) - 1;
   const double reach =
       stroke.radius * (pencil->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kMinOfFan));
   co_return SweptSides{*pencil, range_ends(*pencil, stroke.moves, stroke.range, stroke.radius), depths,

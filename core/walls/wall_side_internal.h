@@ -62,8 +62,8 @@ class SideChart {
  private:
   // If the axes of the beam meet in an apex, straight lines are straight in the chart only if y is linear in
   // the reciprocal of the depth.
-  double height(double depth) const { return chart_->parallel() ? -depth : 1 / depth; }
-  double depth(double height) const { return chart_->parallel() ? -height : 1 / height; }
+  double height(double depth) const { return chart_->has_apex() ? 1 / depth : -depth; }
+  double depth(double height) const { return chart_->has_apex() ? 1 / height : -height; }
 
   const WallChart* chart_;
   uint32_t curve_;

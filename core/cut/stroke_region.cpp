@@ -273,10 +273,12 @@ void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
 double SweptDistance::at_least(const Node& node, const Vec3& p) const {
   constexpr double kRounding = 1e-9;  // relative; parts of a tilting beam also err by the angle squared
   const Vec3 from = p - node.origin;
-  const double away = glm::length(from);
-  const double from_axis = glm::length(from - glm::dot(from, node.direction) * node.direction);
+  const SweptCylinder& part = parts_[node.first];  // all have its radius and range
+  const double away = glm::length(from), depth = glm::dot(from, node.direction);
+  const double beside = glm::length(from - depth * node.direction) - part.radius();
+  const double beyond = std::max(depth - part.range().high, part.range().low - depth);
   const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
-  return from_axis - aside - parts_[node.first].radius() - kRounding * (away + node.aside);
+  return std::max(beside, beyond) - aside - kRounding * (away + node.aside);
 }
 
 double SweptDistance::operator()(const Vec3& p) const {

@@ -38,6 +38,7 @@ class SweptCylinder {
   double steepest() const { return steepest_; }
 
   double radius() const { return radius_; }
+  Interval range() const { return range_; }
   // Returns true if the beam tilts. touches() may then return true for a triangle slightly outside the volume
   // to which the distances refer.
   bool tilts() const { return tilts_; }

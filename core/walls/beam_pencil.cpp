@@ -73,34 +73,41 @@ BeamPencil BeamPencil::across_middle(std::span<const BeamMove> moves) {
   return pencil;
 }
 
-std::optional<BeamPencil> BeamPencil::of(std::span<const BeamMove> moves, double radius) {
+std::vector<BeamPencil> BeamPencil::all_of(std::span<const BeamMove> moves, double radius) {
   KERF_ASSERT(!moves.empty());
-  BeamPencil pencil = across_middle(moves);
-  const Vec3 first = moves.front().from.direction;
-  bool parallel = true;
-  for_each_pose(moves, [&](const Pose& pose) {
-    parallel = parallel && glm::length(pose.direction - first) <= kParallel;
-  });
-  if (parallel) {
-    pencil.axis_ = first;
-    pencil.right_ = across(pencil.axis_);
-    pencil.up_ = glm::cross(pencil.axis_, pencil.right_);
-    return pencil;
+  if (const auto pencil = parallel(moves)) return {*pencil};
+  std::vector<BeamPencil> all;
+  for (const auto& pencil : {through_apex(moves, radius), turning(moves), ruled(moves)}) {
+    if (pencil) all.push_back(*pencil);
   }
-  const Vec3 apex = nearest_to_lines(moves, Vec3(0));
+  return all;
+}
+
+std::optional<BeamPencil> BeamPencil::parallel(std::span<const BeamMove> moves) {
+  const Vec3 first = moves.front().from.direction;
+  bool holds = true;
+  for_each_pose(moves,
+                [&](const Pose& pose) { holds = holds && glm::length(pose.direction - first) <= kParallel; });
+  if (!holds) return std::nullopt;
+  BeamPencil pencil = across_middle(moves);
+  pencil.axis_ = first;
+  pencil.right_ = across(pencil.axis_);
+  pencil.up_ = glm::cross(pencil.axis_, pencil.right_);
+  return pencil;
+}
+
+std::optional<BeamPencil> BeamPencil::through_apex(std::span<const BeamMove> moves, double radius) {
+  BeamPencil pencil = across_middle(moves);
+  pencil.kind_ = Kind::kApex;
+  pencil.origin_ = nearest_to_lines(moves, Vec3(0));
   bool meet = true;
   for_each_pose(moves, [&](const Pose& pose) {
-    const Vec3 from = apex - pose.origin;
+    const Vec3 from = pencil.origin_ - pose.origin;
     const double distance = glm::length(from - glm::dot(from, pose.direction) * pose.direction);
     meet = meet && distance <= kAtApex * radius && glm::dot(pose.direction, pencil.axis_) > kMinCosine;
   });
-  if (meet) {
-    pencil.kind_ = Kind::kApex;
-    pencil.origin_ = apex;
-    return pencil;
-  }
-  if (auto other = turning(moves)) return other;
-  return ruled(moves);
+  if (!meet) return std::nullopt;
+  return pencil;
 }
 
 std::optional<BeamPencil> BeamPencil::turning(std::span<const BeamMove> moves) {

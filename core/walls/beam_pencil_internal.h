@@ -24,13 +24,11 @@ class BeamPencil {
     kRuled,    // any lines
   };
 
-  // Returns the pencil of the moves of a beam of this radius (m): parallel, with an apex or turning, the
-  // first that holds within 1e-3 radii, else ruled; nullopt if a line is inclined by more than 72 degrees to
-  // the middle direction. The surfaces are planes across that direction, except for turning beams. The moves
-  // and everything below are in one frame. Precondition: there is a move.
-  static std::optional<BeamPencil> of(std::span<const BeamMove> moves, double radius);
-  // Returns the pencil as a ruled one; nullopt as above. Precondition: there is a move.
-  static std::optional<BeamPencil> ruled(std::span<const BeamMove> moves);
+  // Returns the pencils of the moves of a beam of this radius (m), the most exact one first: the parallel one
+  // alone, or those that hold of an apex within 1e-3 radii, turning, and ruled. The surfaces are planes
+  // across the middle direction, to which no line may be inclined by more than 72 degrees, except for turning
+  // beams. The moves and everything below are in one frame. Precondition: there is a move.
+  static std::vector<BeamPencil> all_of(std::span<const BeamMove> moves, double radius);
 
   Kind kind() const { return kind_; }
   bool parallel() const { return kind_ == Kind::kParallel; }
@@ -68,7 +66,10 @@ class BeamPencil {
   const Vec3& axis() const { return axis_; }
 
  private:
+  static std::optional<BeamPencil> parallel(std::span<const BeamMove> moves);
+  static std::optional<BeamPencil> through_apex(std::span<const BeamMove> moves, double radius);
   static std::optional<BeamPencil> turning(std::span<const BeamMove> moves);
+  static std::optional<BeamPencil> ruled(std::span<const BeamMove> moves);
   static BeamPencil across_middle(std::span<const BeamMove> moves);
   std::optional<Vec2> centre(const Pose& pose, bool leaves, double depth) const;
   double offset(const Pose& pose) const;

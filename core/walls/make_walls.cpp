@@ -73,6 +73,9 @@ constexpr double kShortest = 1e-9;
 // Max ratio of added vertices to vertices of the rim.
 constexpr size_t kMaxAdded = 2;
 
+// Max distance of the middle of an edge round an axis from its place in the chart, as a share of its length.
+constexpr double kMaxAside = 0.15;
+
 // Curve of vertices that are on no side.
 constexpr uint32_t kNoCurve = 0xffffffffu;
 
@@ -378,7 +381,13 @@ class WallMaker {
           glm::length(side.wall.side_chart().point(SideChart::middle(a.chart, b.chart)) - chord);
       if (most <= kRimNear * stroke_.radius) return most;
     }
-    return std::abs(stroke_.distance(chord));
+    const double off = std::abs(stroke_.distance(chord));
+    if (pencil_->kind() != BeamPencil::Kind::kTurning) return off;
+    // A chord may lie in a flat wall, but on another side of the axis.
+    const double aside =
+        glm::length(side.wall.side_chart().point(SideChart::middle(a.chart, b.chart)) - chord);
+    return aside > kMaxAside * glm::length(b.at - a.at) + kMaxAside * stroke_.radius ? std::max(off, aside)
+                                                                                     : off;
   }
 
   // Moves a point of the chart, which is exact only for parallel beams, onto the boundary.

@@ -440,7 +440,7 @@ std::vector<DiscMove> copied_around(std::span<const DiscMove> moves, double radi
   return copies;
 }
 
-// Keeps the pieces that start within one turn. The turn begins after `low`, in the middle of the widest gap
+// Keeps the pieces that start within one turn of several. The turn begins after `low`, in the middle of the widest gap
 // between starts, because equal pieces of two copies differ by rounding.
 void keep_one_turn(std::vector<OutlinePiece>& pieces, double low, double around) {
   std::vector<double> starts;
@@ -478,7 +478,7 @@ Task<std::vector<OutlineCurve>> outline_around(std::span<const DiscMove> moves, 
   KERF_ASSERT(radius > 0 && around > 0 && !moves.empty());
   const std::vector<DiscMove> copies = copied_around(moves, radius, around);
   std::vector<OutlinePiece> pieces = co_await pieces_of_outline(copies, radius);
-  keep_one_turn(pieces, lowest_of(moves) - kMarginAround * radius, around);
+  if (copies.size() > moves.size()) keep_one_turn(pieces, lowest_of(moves) - kMarginAround * radius, around);
   const auto sides = static_cast<uint32_t>(4 * moves.size());
   for (OutlinePiece& piece : pieces) piece.side %= sides;
   co_return chain(pieces, radius, around);

@@ -303,24 +303,21 @@ Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId>
                                      const WallStroke& stroke) {
   KERF_ASSERT(!vertices.empty());
   const Vec3 first = mesh.position(vertices[0]);
-  auto pencil = BeamPencil::of(stroke.moves, stroke.radius);
-  if (!pencil) co_return left_open("the beam turned too far for walls", first);
-  Interval depths = depths_of(*pencil, mesh, vertices);
-  auto chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths, stroke.range);
-  if (!chart && pencil->kind() == BeamPencil::Kind::kTurning) {
-    // The axis that the directions have in common may be far from the place of the rotation.
-    if (const auto ruled = BeamPencil::ruled(stroke.moves)) {
-      pencil = ruled;
-      depths = depths_of(*pencil, mesh, vertices);
-      chart = co_await WallChart::make(*pencil, stroke.moves, stroke.radius, depths, stroke.range);
+  const char* why = "the beam turned too far for walls";
+  for (const BeamPencil& pencil : BeamPencil::all_of(stroke.moves, stroke.radius)) {
+    const Interval depths = depths_of(pencil, mesh, vertices);
+    auto chart = co_await WallChart::make(pencil, stroke.moves, stroke.radius, depths, stroke.range);
+    if (!chart) {
+      why = "the sides of the beam at different depths do not correspond";
+      continue;
     }
+    const double longer = pencil.longest_ellipse(stroke.moves, depths.high) - 1;
+    const double reach =
+        stroke.radius * (pencil.parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kMinOfFan));
+    co_return SweptSides{pencil, range_ends(pencil, stroke.moves, stroke.range, stroke.radius), depths,
+                         std::move(*chart), reach};
   }
-  if (!chart) co_return left_open("the sides of the beam at different depths do not correspond", first);
-  const double longer = pencil->longest_ellipse(stroke.moves, depths.high) - 1;
-  const double reach =
-      stroke.radius * (pencil->parallel() ? kReach : std::max(kReachOfFan + 1.2 * longer, kMinOfFan));
-  co_return SweptSides{*pencil, range_ends(*pencil, stroke.moves, stroke.range, stroke.radius), depths,
-                       std::move(*chart), reach};
+  co_return left_open(why, first);
 }
 
 Task<std::vector<std::vector<RimSide>>> group_rims(const Mesh& mesh, std::span<const RimSide> sides,

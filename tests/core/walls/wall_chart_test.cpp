@@ -28,9 +28,8 @@ TEST(WallChart, lists_corners_in_order_of_position) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const std::vector<BeamMove> moves = zigzag(random, seed % 2 == 0);
-    const auto pencil = BeamPencil::of(moves, 0.05);
-    ASSERT_TRUE(pencil);
-    const auto chart = run_to_completion(WallChart::make(*pencil, moves, 0.05, {3.5, 4.5}));
+    const BeamPencil pencil = BeamPencil::all_of(moves, 0.05).front();
+    const auto chart = run_to_completion(WallChart::make(pencil, moves, 0.05, {3.5, 4.5}));
     for (uint32_t c = 0; chart && c < chart->curves(); ++c) {
       const std::vector<double> corners = chart->corners(c, 0.1);
       ASSERT_GE(corners.size(), 3u);
@@ -49,9 +48,8 @@ TEST(WallChart, finds_the_position_of_each_point) {
     Random random(seed);
     const std::vector<BeamMove> moves = zigzag(random, seed % 2 == 0);
     const double radius = 0.05;
-    const auto pencil = BeamPencil::of(moves, radius);
-    ASSERT_TRUE(pencil);
-    const auto chart = run_to_completion(WallChart::make(*pencil, moves, radius, {3.5, 4.5}));
+    const BeamPencil pencil = BeamPencil::all_of(moves, radius).front();
+    const auto chart = run_to_completion(WallChart::make(pencil, moves, radius, {3.5, 4.5}));
     if (!chart) continue;
     for (int i = 0; i < 100; ++i) {
       const auto curve = static_cast<uint32_t>(random.below(chart->curves()));

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,7 @@ class CutRun {
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = options_.knife.read(); !s) return s;
     if (const auto s = options_.job.read(!options_.path.empty(), options_.radius); !s) return s;
+    if (const auto s = options_.setup.read(); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
         options_.out,         options_.format.value_or("obj"),
@@ -62,6 +65,11 @@ class CutRun {
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     options_.job.add_strokes(bounds_, strokes_, job_);
+    if (const auto s = options_.setup.fit_strokes(document_.world(), {unit_, false}, strokes_, job_); !s)
+      return s;
+    options_.setup.check_nozzle(
+        document_.world(), strokes_,
+        [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); }, job_);
     if (const auto s = begin_journal(); !s) return s;
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
@@ -147,8 +155,8 @@ class CutRun {
     InputFiles inputs;
     for (const std::string& file : options_.meshes) inputs.add(file);
     inputs.add_meshes(scene_);
-    for (const std::string& file :
-         {options_.path, options_.settings, options_.job.file(), options_.job.layers, options_.job.axes})
+    for (const std::string& file : {options_.path, options_.settings, options_.job.file(),
+                                    options_.job.layers, options_.job.axes, options_.setup.fit})
       inputs.add(file);
     if (options_.material) inputs.add(assets_folder() / "materials.json");
     if (const Status free = folder.check("--out", inputs); !free) return free;
@@ -255,21 +263,57 @@ class CutRun {
     }
     const size_t moves = document_.waiting();
     const size_t steps = options_.steps ? static_cast<size_t>(*options_.steps) : moves;
-    size_t segment = 0, removed = job_.removed_faces;
+    const auto line = [&](size_t segment) { return options_.job.line_of(job_.strokes, segment + 1); };
+    const size_t uncut = job_.uncut.size();
+    std::vector<std::pair<size_t, size_t>> uncut_keys;  // first and last key
+    size_t segment = 0;
+    job_.segment.line = line(segment);
     StepStatistics before = job_.statistics;
     for (size_t i = 0; i < steps; ++i) {
       const auto done = [&](size_t n) { return static_cast<double>(n) / static_cast<double>(steps); };
       const Progress stepping = share_of(&progress, done(i), done(i + 1));
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
-      if (!job_.thermal || steps != moves || segment >= segment_ends.size() || i + 1 < segment_ends[segment])
-        continue;
-      job_.record_segment(segment++, before, removed);
-      before = job_.statistics;
-      removed = job_.removed_faces;
+      if (steps != moves) continue;
+      while (segment < segment_ends.size() && i + 1 >= segment_ends[segment]) {
+        ++segment;
+        const bool is_same_line =
+            segment < segment_ends.size() && line(segment) && line(segment) == job_.segment.line;
+        if (is_same_line) continue;
+        if (job_.thermal && job_.record_segment(before))
+          uncut_keys.emplace_back(job_.segment.segment, segment);
+        before = job_.statistics;
+        job_.segment = {job_.strokes, segment, line(segment)};
+      }
+    }
+    // Heat lags behind the beam, so what remains under a segment is known at the end.
+    for (size_t i = uncut_keys.size(); i-- > 0;) {
+      const auto [first, last] = uncut_keys[i];
+      const std::span<const Pose> keys = std::span(stroke.keys).subspan(first, last - first + 1);
+      if (share_left(keys, settings.laser) > kUncutShare) continue;
+      job_.uncut.erase(job_.uncut.begin() + static_cast<std::ptrdiff_t>(uncut + i));
     }
     job_.end_stroke();
     return Done{};
+  }
+
+  // Returns the share of the way between keys along which the axis of the beam still meets a face.
+  double share_left(std::span<const Pose> keys, const Laser& laser) const {
+    constexpr int kSamples = 32;  // of each move
+    size_t met = 0, samples = 0;
+    for (size_t k = 0; k + 1 < keys.size(); ++k) {
+      for (int i = 0; i <= kSamples; ++i, ++samples) {
+        const double share = static_cast<double>(i) / kSamples;
+        const Pose pose{(1 - share) * keys[k].origin + share * keys[k + 1].origin,
+                        glm::normalize((1 - share) * keys[k].direction + share * keys[k + 1].direction)};
+        const std::vector<BodyId> bodies = document_.world().ids();
+        met += std::ranges::any_of(bodies, [&](BodyId id) {
+          const Body& body = document_.world().body(id);
+          return body.tree.nearest(body.mesh, body.placement.to_body(pose), laser.range).has_value();
+        });
+      }
+    }
+    return samples > 0 ? static_cast<double>(met) / static_cast<double>(samples) : 0;
   }
 
   // Executes the given number of moves in as many steps as needed. After the last move it completes the

@@ -246,6 +246,7 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
                      "The strokes of the laser (JSON), or - for standard input; default: no strokes");
   o.knife.add_to(command);
   o.job.add_to(command);
+  o.setup.add_to(command);
   command.add_option("-o,--out", o.out, "The folder for the pieces and report.json")->required();
   Offer offer{command};
   visit_options(o, offer);

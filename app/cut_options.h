@@ -7,6 +7,7 @@
 
 #include "app/job_input.h"
 #include "app/knife_options.h"
+#include "app/setup_options.h"
 #include "core/base/result.h"
 #include "core/cut/cut_step.h"
 #include "core/document/stroke_path.h"
@@ -19,6 +20,7 @@ struct CutOptions {
   KnifeOptions knife;
   std::string path, out, settings, journal, provenance;
   JobInput job;  // a drawing or a program instead of the path
+  SetupOptions setup;
   std::optional<double> radius, target_edge, tolerance, power;
   std::optional<double> settle, ground, thickness, density;
   std::optional<std::string> range, pattern, scheme, rim, model, material, format, assist, cut_material;

@@ -157,6 +157,7 @@ struct Part {
   Extract extract;
   const Body* body = nullptr;
   std::vector<FaceId> faces;
+  BodyId id{};         // of the body
   std::string source;  // name for the node or object, from its part in the file; empty if that has none
 };
 
@@ -182,18 +183,22 @@ void name_parts(const World& world, std::vector<Part>& parts) {
 // Returns the pieces of a world, largest area first. Copies them on several threads.
 std::vector<Part> parts_of(const World& world, bool split_all) {
   struct Group {
+    BodyId id;
     const Body* body;
     std::vector<FaceId> faces;
   };
   std::vector<Group> groups;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    for (auto& faces : faces_by_piece(body, split_all)) groups.push_back({&body, std::move(faces)});
+    for (auto& faces : faces_by_piece(body, split_all)) groups.push_back({id, &body, std::move(faces)});
   }
   std::vector<Part> parts(groups.size());
   for_each_range(groups.size(), 1, [&](size_t i, size_t) {
-    parts[i] = {
-        extract_faces(*groups[i].body, groups[i].faces), groups[i].body, std::move(groups[i].faces), {}};
+    parts[i] = {extract_faces(*groups[i].body, groups[i].faces),
+                groups[i].body,
+                std::move(groups[i].faces),
+                groups[i].id,
+                {}};
   });
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.extract.area > b.extract.area; });
@@ -298,6 +303,7 @@ struct PieceFile {
       view.material_names = surfaces.names(*part.body);
     }
     if (!part.source.empty()) view.name = view.object = part.source;
+    piece.piece = {part.id, part.faces.empty() ? 0 : part.body->mesh.data(part.faces.front()).piece};
     piece.file = (folder.single_file ? kAllPieces : stem) + "." + folder.format;
     piece.faces = e.triangles.size();
     piece.vertices = e.positions.size();

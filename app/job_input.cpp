@@ -120,4 +120,10 @@ void JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& stroke
   job.program_s = job_.program.duration;
 }
 
+std::optional<size_t> JobInput::line_of(size_t stroke, size_t key) const {
+  if (stroke >= job_.program.strokes.size()) return std::nullopt;
+  const std::vector<size_t>& lines = job_.program.strokes[stroke].lines;
+  return key < lines.size() ? std::optional(lines[key]) : std::nullopt;
+}
+
 }  // namespace kerf

@@ -30,6 +30,8 @@ struct JobInput {
   // Replaces the strokes by those of the file that was read, placed for meshes with these bounds, and adds
   // notes and duration to the job. Does nothing if there is no file.
   void add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const;
+  // Returns the line of the program whose move leads to a key of a stroke; nullopt if there is none.
+  std::optional<size_t> line_of(size_t stroke, size_t key) const;
 
  private:
   JobPlane placed(const Bounds& bounds) const;

@@ -92,6 +92,38 @@ nlohmann::ordered_json to_json(const WrittenPiece& p) {
   return piece;
 }
 
+nlohmann::ordered_json to_json(const CutSegment& s) {
+  nlohmann::ordered_json json = {{"stroke", s.stroke}, {"segment", s.segment}};
+  if (s.line) json["line"] = *s.line;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const ScrapCut& s, const std::vector<WrittenPiece>& pieces) {
+  nlohmann::ordered_json json = to_json(s.at);
+  json["freed_by"] = s.freed_by;
+  json["area"] = s.area;
+  json["at"] = vector_json(s.area > 0 ? s.moment / s.area : s.moment);
+  const auto piece = std::ranges::find(pieces, PieceId{s.body, s.piece}, &WrittenPiece::piece);
+  if (piece != pieces.end()) json["piece"] = piece->file;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const NozzleSegment& s) {
+  nlohmann::ordered_json json = to_json(s.at);
+  if (s.standoff) json["standoff"] = {s.standoff->low, s.standoff->high};
+  json["collides"] = s.collides;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const FittedStrokes& fit) {
+  const glm::dquat& q = fit.motion.rotation;
+  nlohmann::ordered_json json = {
+      {"motion", {{"position", vector_json(fit.motion.translation)}, {"orientation", {q.w, q.x, q.y, q.z}}}},
+      {"residuals", {{"rms", fit.rms}, {"max", fit.max}}}};
+  if (!fit.residuals.empty()) json["residuals"]["points"] = fit.residuals;
+  return json;
+}
+
 nlohmann::ordered_json energy_json(const World& world) {
   const EnergyLedger& ledger = world.energy();
   double stored = 0, ejected = 0;
@@ -123,8 +155,11 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
   report["energy_j"] = energy_json(world);
   report["depth_fraction"] = job.depth_fraction();
   report["uncut"] = nlohmann::ordered_json::array();
-  for (const UncutSegment& s : job.uncut)
-    report["uncut"].push_back({{"stroke", s.stroke}, {"segment", s.segment}, {"depth", s.depth}});
+  for (const UncutSegment& s : job.uncut) {
+    nlohmann::ordered_json segment = to_json(s.at);
+    segment["depth"] = s.depth;
+    report["uncut"].push_back(std::move(segment));
+  }
 }
 
 }  // namespace
@@ -154,23 +189,31 @@ void CutJob::record_parts(const BodyDelta& body) {
   for (const CutFace& cut : body.removed) {
     const auto freed = freed_by.find({body.body, cut.piece});
     if (freed == freed_by.end() || freed->second == strokes) continue;
-    const auto same = [&](const ScrapCut& s) { return s.stroke == strokes && s.freed_by == freed->second; };
+    const auto same = [&](const ScrapCut& s) {
+      return s.at.stroke == strokes && s.body == body.body && s.piece == cut.piece;
+    };
     auto found = std::ranges::find_if(scrap, same);
-    if (found == scrap.end()) found = scrap.insert(scrap.end(), {strokes, freed->second, 0});
-    found->area += triangle_area(cut.corners);
+    if (found == scrap.end()) {
+      found = scrap.insert(scrap.end(), {segment, freed->second, body.body, cut.piece});
+      found->at.stroke = strokes;
+    }
+    const Triangle& t = cut.corners;
+    found->area += triangle_area(t);
+    found->moment += triangle_area(t) * (t[0] + t[1] + t[2]) / 3.0;
   }
   for (const uint32_t label : body.new_pieces) freed_by.try_emplace({body.body, label}, strokes);
 }
 
-void CutJob::record_segment(size_t segment, const StepStatistics& before, size_t removed) {
+bool CutJob::record_segment(const StepStatistics& before) {
   const double met = statistics.met_s - before.met_s;
-  if (met > 0 && removed_faces == removed)
-    uncut.push_back({strokes, segment, (statistics.depth_s - before.depth_s) / met});
+  if (met > 0) uncut.push_back({segment, (statistics.depth_s - before.depth_s) / met});
+  return met > 0;
 }
 
 void CutJob::begin_stroke() {
   faces_before_stroke = removed_faces;
   met_before_stroke_s = statistics.met_s;
+  segment = {strokes, 0, std::nullopt};
 }
 
 void CutJob::end_stroke() {
@@ -245,8 +288,9 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"max_level", extremes.deepest_level},
       {"steps", job.steps},
       {"missed", job.missed}};
-  for (const ScrapCut& s : job.scrap)
-    report["scrap"].push_back({{"stroke", s.stroke}, {"freed_by", s.freed_by}, {"area", s.area}});
+  for (const ScrapCut& s : job.scrap) report["scrap"].push_back(to_json(s, pieces));
+  if (job.fit) report["fit"] = to_json(*job.fit);
+  for (const NozzleSegment& s : job.nozzle) report["nozzle"].push_back(to_json(s));
   add_solid(report, job, any_solid);
   add_energy(report, job, world);
   if (job.program_s) report["program_ms"] = 1000 * *job.program_s;

@@ -10,21 +10,50 @@
 #include "core/cut/cut_step.h"
 #include "core/document/extract.h"
 #include "core/mesh/mesh_file.h"
+#include "core/tree/surface_comparison.h"
 #include "core/world/world.h"
 
 namespace kerf {
 
-// A segment of a stroke, i.e. the way between two keys, along which the thermal beam removed no face.
+// A segment of a stroke, i.e. the way between two keys, or of all keys of a line of a program.
+struct CutSegment {
+  size_t stroke = 0, segment = 0;  // the first one, by key
+  std::optional<size_t> line;      // of the program
+};
+
+// A segment along which the thermal beam did not get through, at least in part.
 struct UncutSegment {
-  size_t stroke = 0, segment = 0;
+  CutSegment at;
   double depth = 0;  // mean depth of the cut as a fraction of the thickness, see StepStatistics
 };
 
 // A stroke that cuts a part which an earlier stroke had already cut free.
 struct ScrapCut {
-  size_t stroke = 0, freed_by = 0;  // indices of strokes
-  double area = 0;                  // removed from the part, m^2
+  CutSegment at;        // the first segment that cuts the part
+  size_t freed_by = 0;  // index of a stroke
+  BodyId body;          // of the part
+  uint32_t piece = 0;   // its label
+  double area = 0;      // removed from the part, m^2
+  Vec3 moment{0};       // centroid of this area times the area
 };
+
+// Standoff and collisions of the nozzle along a segment.
+struct NozzleSegment {
+  CutSegment at;
+  std::optional<Interval> standoff;  // m; nullopt if the beam meets no mesh
+  bool collides = false;
+};
+
+// The motion of strokes onto the part as measured, with the distances that remain.
+struct FittedStrokes {
+  RigidMotion motion;
+  double rms = 0, max = 0;        // m
+  std::vector<double> residuals;  // of the datum points, m; empty for a mesh
+};
+
+// Share of a segment along which the axis of the beam may still meet a face after the stroke: at the start,
+// until the beam has pierced the sheet.
+inline constexpr double kUncutShare = 0.1;
 
 // Totals and times of a job, for report.json.
 struct CutJob {
@@ -34,9 +63,9 @@ struct CutJob {
   // Call these around each stroke, to detect strokes that hit nothing.
   void begin_stroke();
   void end_stroke();
-  // Lists the segment if the beam met faces since `before`, the statistics at its beginning, but removed
-  // none. `removed` is the number of removed faces then.
-  void record_segment(size_t segment, const StepStatistics& before, size_t removed);
+  // Lists the current segment and returns true if the beam met faces since `before`, the statistics at its
+  // beginning. Segments that turn out to be cut through must be removed at the end of the stroke.
+  bool record_segment(const StepStatistics& before);
   // Mean depth of the thermal cut over the time for which the beam hit a face, 0 .. 1 (see StepStatistics).
   double depth_fraction() const { return statistics.met_s > 0 ? statistics.depth_s / statistics.met_s : 0.0; }
 
@@ -49,10 +78,13 @@ struct CutJob {
   bool left_open = false;           // a stroke left a solid open: the removed volume is unknown
   std::vector<std::string> notes;   // on the input, open bodies and losses of the files, each once
   std::optional<double> program_s;  // duration of the G-code program that the strokes come from
-  size_t strokes = 0;               // number of strokes cut
-  std::vector<size_t> missed;       // indices of the strokes that hit nothing, ascending
-  std::vector<UncutSegment> uncut;  // in order; thermal model only
-  std::vector<ScrapCut> scrap;      // by stroke and by the stroke that freed the part
+  std::optional<FittedStrokes> fit;
+  std::vector<NozzleSegment> nozzle;  // in order; empty if it is not checked
+  size_t strokes = 0;                 // number of strokes cut
+  CutSegment segment;                 // the current one
+  std::vector<size_t> missed;         // indices of the strokes that hit nothing, ascending
+  std::vector<UncutSegment> uncut;    // in order; thermal model only
+  std::vector<ScrapCut> scrap;        // by stroke and part
   std::map<std::pair<BodyId, uint32_t>, size_t> freed_by;  // stroke by body and label of the part
   size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;
@@ -78,6 +110,7 @@ struct WrittenPiece {
   Placement placement;           // of its body
   PrecisionLoss precision;       // of the file
   std::optional<bool> asleep;    // nullopt if no body has moved
+  PieceId piece{};               // whose faces it holds
   bool no_collider = false;      // though colliders are written: its hull has no volume
 };
 

@@ -243,6 +243,119 @@ class Jobs(unittest.TestCase):
             text += f'f {i + 1} {j + 1} {sectors + j + 1}\nf {i + 1} {sectors + j + 1} {sectors + i + 1}\n'
         return self.write('tube.obj', text)
 
+    def solid_tube(self, outer=.025, inner=.0225, length=.1, sectors=180):
+        """A solid tube along the x axis, and the ratio of its section to that of round walls."""
+        angles = [2 * math.pi * i / sectors for i in range(sectors)]
+        text = ''.join(f'v {x!r} {r * math.cos(a)!r} {r * math.sin(a)!r}\n' for x in (-length / 2, length / 2) for r in (outer, inner) for a in angles)
+        quads = []
+        for i in range(sectors):
+            j = (i + 1) % sectors
+            o, p, q, r = ((k * sectors + i + 1, k * sectors + j + 1) for k in range(4))  # outer and inner, at both ends
+            quads += [(o[0], q[0], q[1], o[1]), (p[1], r[1], r[0], p[0]), (o[0], o[1], p[1], p[0]), (q[1], q[0], r[0], r[1])]
+        text += ''.join('f {0} {3} {2}\nf {0} {2} {1}\n'.format(*quad) for quad in quads)
+        return self.write('solid.obj', text), math.sin(2 * math.pi / sectors) * sectors / (2 * math.pi)
+
+    AXES = {'axes': [{'letter': 'A', 'turns': 'table', 'axis': [1, 0, 0], 'pivot': [0, 0, 0]}]}
+
+    def rotary(self, program, *options, radius=.001, axes=None):
+        """Cuts a solid tube by a program, with the report."""
+        nc = self.write('rotary.nc', program)
+        mesh, _ = self.solid_tube()
+        self.kerf('cut', mesh, '--solid', '--gcode', nc, '--axes', self.write('axes.json', json.dumps(axes or self.AXES)),
+                  '--radius', radius, '--out', self.path('out'), *options)
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            return json.load(file)
+
+    def test_a_rotary_axis_cuts_a_window_in_a_solid_tube(self):
+        radius, width, turn = .001, .02, math.radians(50)
+        report = self.rotary('G21 G90\nG0 X-10 Z27 A-25\nM3 S1\nG1 X10 F1200\nA25 F600\nX-10 F1200\nA-25 F600\nM5\n', '--range', '0,0.027')
+        self.assertEqual([], report['notes'])
+        self.assertTrue(all(piece['closed'] for piece in report['pieces']))
+        # A band along a rectangle on each cylinder, with round corners outside, and the rectangle within it.
+        integral = lambda f: sum(f(.0225 + .0025 * (i + .5) / 100) for i in range(100)) * .0025 / 100
+        removed = integral(lambda r: 4 * radius * (width + turn * r) + math.pi * radius**2 - 4 * radius**2)
+        window = integral(lambda r: (width - 2 * radius) * (turn * r - 2 * radius))
+        self.assertAlmostEqual(report['removed']['volume'], removed, delta=.003 * removed)
+        self.assertAlmostEqual(report['pieces'][1]['volume'], window, delta=.003 * window)
+        # Two moves of 20 mm at 20 mm/s, two of 50 degrees at 10 degrees/s, and a rapid one.
+        self.assertAlmostEqual(report['program_ms'], 12000 + 1000 * max(math.hypot(.01, .027) * 6, 25 / 60), delta=1e-6)
+
+    def test_a_whole_turn_cuts_a_tube_in_two(self):
+        report = self.rotary('G21 G90\nG0 X10 Z27\nM3 S1\nG1 A380 F2000\nM5\n', '--range', '0,0.027', '--target-edge', .002)
+        self.assertEqual([], report['notes'])
+        section = math.pi * (.025**2 - .0225**2) * self.solid_tube()[1]
+        self.assertEqual([True, True], [piece['closed'] for piece in report['pieces']])
+        for piece, length in zip(report['pieces'], (.059, .039)):
+            self.assertAlmostEqual(piece['volume'], section * length, delta=1e-4 * section * length)
+
+    def test_wrong_rotary_axes_are_one_sentence(self):
+        nc = self.write('a.nc', 'G21\nG1 X1 F100 A5\n')
+        for axes, words in (
+                (None, 'a.nc, line 2, column 12: A5 is not supported without a description'),
+                ({'axes': []}, 'axes.json: /axes: must list an axis'),
+                ({'axes': self.AXES['axes'] * 2}, 'axes.json: /axes/1/letter'),
+                ({'axes': [dict(self.AXES['axes'][0], letter='X')]}, '/axes/0/letter: must be "A", "B" or "C"'),
+                ({'axes': [dict(self.AXES['axes'][0], turns='bed')]}, '/axes/0/turns'),
+                ({'axes': [dict(self.AXES['axes'][0], axis=[0, 0, 0])]}, '/axes/0/axis')):
+            options = [] if axes is None else ['--axes', self.write('axes.json', json.dumps(axes))]
+            self.assertIn(words, self.kerf('path', nc, '--out', self.path('a.json'), *options, status=2))
+        self.assertIn('--axes: requires --gcode', self.kerf('cut', self.sheet(1), '--axes', nc, '--out', self.path('o'), status=2))
+
+    def test_uncut_and_scrap_name_the_lines_of_the_program(self):
+        # The arc is too fast, and one segment.
+        nc = self.write('a.nc', 'G21 G90 M3 S1000\nG1 X2 F600\nG2 X6 Y0 I2 J0 F120000\nG1 X8 F600\nM5\n')
+        self.kerf('cut', self.sheet(.05), '--gcode', nc, '--power-at-s1000', 1000, '--radius', RADIUS, '--model', 'thermal', '--out', self.path('out'))
+        with open(self.path('out/report.json'), encoding='utf-8') as file:
+            report = json.load(file)
+        self.assertEqual([3], [s['line'] for s in report['uncut']])
+        square = 'G0 X{0} Y{0}\nM3 S1\nG1 X{1} F1000\nY{1}\nX{0}\nY{0}\nM5\n'
+        nc = self.write('b.nc', 'G21 G90\n' + square.format(-20, 20) + square.format(-5, 5))
+        report = self.cut(self.sheet(.05), '--gcode', nc)
+        scrap, = report['scrap']
+        self.assertEqual((1, 0, 11), (scrap['stroke'], scrap['freed_by'], scrap['line']))
+        self.assertLess(math.hypot(*scrap['at']), 1e-4)
+        piece, = (p for p in report['pieces'] if p['file'] == scrap['piece'])
+        self.assertAlmostEqual(piece['area'], (.04 - 2 * RADIUS)**2 - (.01 + 2 * RADIUS)**2, delta=1e-6)
+
+    def test_strokes_are_fitted_to_datum_points_and_to_the_mesh_as_measured(self):
+        nc = self.write('a.nc', 'G21 G90\nG0 X-5 Y-5\nM3 S1\nG1 X5 F1000\nY5\nX-5\nY-5\nM5\n')
+        turn, shift = math.radians(30), (.3, .02, -.1)
+        moved = lambda p: [math.cos(turn) * p[0] + math.sin(turn) * p[2] + shift[0], p[1] + shift[1], -math.sin(turn) * p[0] + math.cos(turn) * p[2] + shift[2]]
+        points = [[0, 0, 0], [.04, 0, 0], [0, .03, .02], [-.01, 0, .05]]
+        fit = self.write('fit.json', json.dumps({'points': [{'planned': p, 'measured': moved(p)} for p in points]}))
+        sheet = self.sheet(.02, shift)
+        report = self.cut(sheet, '--gcode', nc, '--at', '0,0.01,0', '--fit', fit)
+        self.assertLess(report['fit']['residuals']['max'], 1e-12)
+        self.assertEqual(4, len(report['fit']['residuals']['points']))
+        drop = min(report['pieces'], key=lambda piece: piece['area'])
+        self.assertLess(math.dist(drop['centroid'], shift), 1e-4)
+        # A bent sheet as planned, and as measured.
+        tent = [(-.04, 0, -.02), (.03, 0, -.02), (.03, 0, .025), (-.04, 0, .02), (0, .02, 0)]
+        faces = ''.join('f 5 {} {}\n'.format((k + 1) % 4 + 1, k + 1) for k in range(4))
+        planned = self.write('planned.obj', ''.join('v {} {} {}\n'.format(*p) for p in tent) + faces)
+        part = self.write('part.obj', ''.join('v {} {} {}\n'.format(*moved(p)) for p in tent) + faces)
+        report = self.cut(part, '--gcode', nc, '--at', '0,0.1,0', '--fit', planned)
+        self.assertLess(report['fit']['residuals']['rms'], 1e-6)
+        for got, wanted in zip(report['fit']['motion']['position'], shift):
+            self.assertAlmostEqual(got, wanted, delta=1e-5)
+        line = self.write('line.json', json.dumps({'points': [{'planned': [x, 0, 0], 'measured': [x, 0, 0]} for x in range(3)]}))
+        self.assertIn('do not lie on one line', self.kerf('cut', sheet, '--gcode', nc, '--fit', line, '--out', self.path('o'), status=2))
+
+    def test_a_nozzle_has_its_standoff_and_collisions_listed_by_segment(self):
+        # A block of 10 mm beside a path 2 mm above a sheet: the cone of 45 degrees meets it from 21 mm on.
+        corners = [(x, y, z) for y in (0, .01) for x, z in ((.03, -.05), (.04, -.05), (.04, .05), (.03, .05))]
+        text = ''.join('v {} {} {}\n'.format(*p) for p in [(-.05, 0, -.05), (.05, 0, -.05), (.05, 0, .05), (-.05, 0, .05)] + corners)
+        text += 'f 1 4 3\nf 1 3 2\nf 9 12 11\nf 9 11 10\nf 5 8 12\nf 5 12 9\n'
+        mesh = self.write('block.obj', text)
+        nc = self.write('a.nc', 'G21 G90\nG0 X0 Y0\nM3 S1\nG1 X10 F1000\nX20\nX25\nM5\n')
+        report = self.cut(mesh, '--gcode', nc, '--at', '0,0.002,0', '--nozzle', '0.001,45,0.02')
+        self.assertEqual([4, 5, 6], [s['line'] for s in report['nozzle']])
+        self.assertEqual([False, False, True], [s['collides'] for s in report['nozzle']])
+        for segment in report['nozzle']:
+            for standoff in segment['standoff']:
+                self.assertAlmostEqual(standoff, .002, delta=1e-9)
+        self.assertIn('--nozzle: must be R,ANGLE,LENGTH', self.kerf('cut', mesh, '--nozzle', '1,90,1', '--out', self.path('o'), status=2))
+
     def test_a_wrapped_drawing_cuts_windows_of_its_size_in_the_near_wall(self):
         square = 'M35 35h30v30h-30z'  # 30 mm, about the middle
         svg = self.write('a.svg', f'<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path d="{square}"/></svg>')

@@ -143,5 +143,74 @@ TEST(Gcode, a_program_that_was_written_is_read_back) {
   EXPECT_EQ(back.strokes[1].power_word, 1.0 / 3);
 }
 
+RotaryAxes table_about_x() { return {{{'A', RotaryAxis::Turns::kTable, {1, 0, 0}, {0, 0, -0.01}}}, 0}; }
+
+Result<Program> rotary_program(const std::string& text, const RotaryAxes& rotary) {
+  return read_gcode(text, "test.nc", kTolerance, rotary);
+}
+
+TEST(Gcode, feeds_of_rotary_axes_are_those_of_linuxcnc) {
+  RotaryAxes rotary = table_about_x();
+  rotary.axes.push_back({'C', RotaryAxis::Turns::kTable, {0, 0, 1}, {}});
+  // A alone: degrees per minute, in inches, too; with X: along X; A and C: the root of the sum of squares.
+  const auto program = rotary_program(
+      "M3 S1\nG1 A90 F360\nG20 X1 A0 F60\nG21 A30 C40 F600\nG93 A60 X0 F2\nG94 G0 A360\n", rotary);
+  ASSERT_TRUE(program.ok()) << program.error().message;
+  ASSERT_EQ(program->strokes.size(), 1u);
+  const ProgramStroke& stroke = program->strokes[0];
+  EXPECT_NEAR(stroke.times.back(), 15 + 1 + 5 + 30, 1e-9);
+  EXPECT_NEAR(program->duration, stroke.times.back() + 300 / kRapidTurn, 1e-9);
+  ASSERT_EQ(stroke.angles.size(), stroke.points.size());
+  ASSERT_EQ(stroke.lines.size(), stroke.points.size());
+  EXPECT_EQ(stroke.angles.back(), Vec3(60, 0, 40));
+  EXPECT_EQ(stroke.lines.back(), 5u);
+}
+
+// The path of a point at rest in the beam is that of the table, the other way round.
+TEST(Gcode, a_table_turns_the_beam_the_other_way_about_its_pivot) {
+  const RotaryAxes rotary = table_about_x();
+  const auto program = rotary_program("G0 Z5\nM3 S1\nG1 X10 A90 F60\n", rotary);
+  ASSERT_TRUE(program.ok()) << program.error().message;
+  const ProgramStroke& stroke = program->strokes[0];
+  Pose before{};
+  for (size_t k = 0; k < stroke.points.size(); ++k) {
+    const Pose beam = program->rotary.beam({stroke.points[k], stroke.angles[k]});
+    const double angle = radians_of(stroke.angles[k].x);
+    // The table turns +Y to +Z, so the beam turns from above towards +Y.
+    EXPECT_NEAR(glm::length(beam.origin - Vec3(stroke.points[k].x, 0.015 * std::sin(angle),
+                                               0.015 * std::cos(angle) - 0.01)),
+                0, 1e-15);
+    EXPECT_NEAR(glm::length(beam.direction - Vec3(0, -std::sin(angle), -std::cos(angle))), 0, 1e-15);
+    if (k > 0) {
+      // The middle of the chord lies within the tolerance of the helix.
+      const Vec3 middle = 0.5 * (before.origin + beam.origin) + Vec3(0, 0, 0.01);
+      EXPECT_LE(0.015 - std::hypot(middle.y, middle.z), kTolerance);
+    }
+    before = beam;
+  }
+  // A whole turn restores the beam to the bit.
+  EXPECT_EQ(rotary.beam({{0, 0, 0}, {720, 0, 0}}).origin, rotary.beam({}).origin);
+}
+
+TEST(Gcode, heads_turn_the_beam_about_a_pivot_that_moves_with_them) {
+  RotaryAxes rotary{{{'C', RotaryAxis::Turns::kHead, {0, 0, 1}, {}},
+                     {'B', RotaryAxis::Turns::kHead, {0, 1, 0}, {0, 0, 0.2}}},
+                    0.01};
+  const Pose tilted = rotary.beam({{1, 2, 3}, {0, 90, 0}});
+  EXPECT_NEAR(glm::length(tilted.direction - Vec3(-1, 0, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(tilted.origin - Vec3(1 - 0.19, 2, 3.2)), 0, 1e-14);
+  // C carries B.
+  const Pose turned = rotary.beam({{1, 2, 3}, {0, 90, 90}});
+  EXPECT_NEAR(glm::length(turned.direction - Vec3(0, -1, 0)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(turned.origin - Vec3(1, 2 - 0.19, 3.2)), 0, 1e-14);
+}
+
+TEST(Gcode, rotary_axes_without_a_description_are_errors) {
+  const auto program = rotary_program("G0 A10\nG1 F100 A20\nB10\n", table_about_x());
+  ASSERT_FALSE(program.ok());
+  EXPECT_NE(program.error().message.find("test.nc, line 3, column 1: B10 is not supported without"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -335,5 +335,24 @@ TEST(Outline, of_four_times_the_moves_takes_about_four_times_the_work) {
   expect_growth(at_random);
 }
 
+// The outline of a path on a cylinder is that of its copies in the plane, within one turn.
+TEST(Outline, round_a_cylinder_closes_after_a_turn) {
+  const double radius = 0.1, around = 3;
+  std::vector<DiscMove> ring;
+  for (int i = 0; i < 40; ++i) ring.push_back({{0, 0.1 * i}, {0, 0.1 * (i + 1)}});
+  const auto curves = run_to_completion(outline_around(ring, radius, around));
+  ASSERT_EQ(curves.size(), 2u);
+  for (const OutlineCurve& curve : curves) EXPECT_NEAR(curve.length, around, 1e-3 * radius);
+  // A helix of less than a turn, with its loop in one copy.
+  std::vector<DiscMove> helix;
+  for (int i = 0; i < 25; ++i)
+    helix.push_back({{0.01 * i, 7 + 0.1 * i}, {0.01 * (i + 1), 7 + 0.1 * (i + 1)}});
+  const auto flat = run_to_completion(outline_of(helix, radius));
+  const auto round = run_to_completion(outline_around(helix, radius, around));
+  ASSERT_EQ(flat.size(), 1u);
+  ASSERT_EQ(round.size(), 1u);
+  EXPECT_NEAR(flat[0].length, round[0].length, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf::test

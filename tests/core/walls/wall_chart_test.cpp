@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/runs.h"
 
@@ -61,6 +62,49 @@ TEST(WallChart, finds_the_position_of_each_point) {
     }
   }
   EXPECT_GT(tried, 50u * runs(200));
+}
+
+// Beams towards an axis, along a path that goes round it and along it, or beside it.
+std::vector<BeamMove> round_an_axis(Random& random, double turn, double offset) {
+  std::vector<BeamMove> moves;
+  const double along = random.uniform(-0.5, 0.5);
+  const auto pose = [&](double angle) {
+    const auto [sin, cos] = sin_cos(angle);
+    const Vec3 out(0, cos, sin), beside(0, -sin, cos);
+    return Pose{Vec3(along * angle, 0, 0) + 6.0 * out + offset * beside, -out};
+  };
+  const int count = static_cast<int>(turn / 0.04) + 1;
+  for (int i = 0; i < count; ++i) moves.push_back({pose(turn * i / count), pose(turn * (i + 1) / count)});
+  return moves;
+}
+
+TEST(WallChart, finds_positions_round_an_axis_even_after_several_turns) {
+  size_t tried = 0;
+  for (uint64_t seed = 1; seed <= runs(60); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double radius = 0.05, turns[] = {0.5, 3, 2 * kPi, 9};
+    const double offset = seed % 3 == 0 ? random.uniform(-1, 1) : 0;
+    const std::vector<BeamMove> moves = round_an_axis(random, turns[seed % 4], offset);
+    std::optional<WallChart> chart;
+    for (const BeamPencil& pencil : BeamPencil::all_of(moves, radius)) {
+      if (pencil.kind() != BeamPencil::Kind::kTurning) continue;
+      chart = run_to_completion(WallChart::make(pencil, moves, radius, {-4.5, -3.5}, {0, 6}));
+      break;
+    }
+    if (!chart) continue;
+    for (int i = 0; i < 100; ++i) {
+      const auto curve = static_cast<uint32_t>(random.below(chart->curves()));
+      const double depth = random.uniform(-4.5, -3.5);
+      const Vec3 p = chart->point_at({curve, random.uniform(0, chart->period(curve)), depth});
+      if (offset == 0) EXPECT_NEAR(std::hypot(p.y, p.z), -depth, 1e-12);
+      const auto found = chart->place_of(p, 0.3 * radius);
+      ASSERT_TRUE(found);
+      EXPECT_LE(glm::length(chart->point_at(*found) - p), 1e-2 * radius);
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 80u * runs(60));
 }
 
 }  // namespace

@@ -440,8 +440,8 @@ std::vector<DiscMove> copied_around(std::span<const DiscMove> moves, double radi
   return copies;
 }
 
-// Keeps the pieces that start within one turn of several. The turn begins after `low`, in the middle of the widest gap
-// between starts, because equal pieces of two copies differ by rounding.
+// Keeps the pieces that start within one turn of several. The turn begins after `low`, in the middle of the
+// widest gap between starts, because equal pieces of two copies differ by rounding.
 void keep_one_turn(std::vector<OutlinePiece>& pieces, double low, double around) {
   std::vector<double> starts;
   for (const OutlinePiece& piece : pieces) {

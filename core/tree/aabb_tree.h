@@ -38,9 +38,9 @@ struct QueryCounts {
 
 // A bounding volume hierarchy of axis-aligned boxes over the live faces of a mesh: nodes of up to eight
 // children (I. Wald, C. Benthin, S. Boulos: Getting rid of packets, 2008) over blocks of up to four faces. It
-// is built once and then edited: the parts of a split face replace it in its block, a full block is split in
-// two, and boxes above a removed face shrink. The cost of an edit depends on the number of faces edited and
-// on the depth of the tree, not on the size of the mesh.
+// is built once and then edited: the parts of a split face replace it in its block, an overflowing block is
+// divided, and boxes above a removed face shrink. The cost of an edit depends on the number of faces edited
+// and on the depth of the tree, not on the size of the mesh.
 //
 // Boxes and corners are stored as floats of (x - origin) times a power of two, and boxes are rounded outward.
 // They only cull; exact tests use the mesh's doubles. Every query and edit takes the mesh over which the tree
@@ -85,14 +85,14 @@ class AabbTree {
   // Appends, for each face within a distance [m], its nearest point; sorted by distance, then by face id.
   void points_within(const Mesh& mesh, const Vec3& at, double distance, std::vector<PointOnFace>& out) const;
 
-  // Applies replacements in order: the leaves of some faces give way to those of others; a face may be in both
-  // sets. May be called late, after further edits of the mesh, and is faster for many replacements than for
-  // one. Preconditions: neither set is empty, the removed faces are in the tree, and the added ones lie within
-  // the bounding box of the removed ones, extended by the corners passed to enlarge_bounds().
+  // Applies replacements in order: the leaves of some faces give way to those of others; a face may be in
+  // both sets. May be called late, after further edits of the mesh, and is faster for many replacements than
+  // for one. Preconditions: neither set is empty, the removed faces are in the tree, and the added ones lie
+  // within the bounding box of the removed ones, extended by the corners passed to enlarge_bounds().
   void replace(const Mesh& mesh, std::span<const Replacement> all);
 
-  // Adds leaves for faces at any position. Inserts each where the boxes on the way from the root grow least,
-  // and enlarges these boxes. Preconditions: the faces are not in the tree, and the tree is not empty.
+  // Adds leaves for faces at any position. Inserts each where the boxes on the way down grow least, and
+  // enlarges these boxes. Preconditions: the faces are not in the tree, and the tree is not empty.
   // O(depth) per face.
   void add(const Mesh& mesh, std::span<const FaceId> faces);
 

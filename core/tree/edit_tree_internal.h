@@ -20,9 +20,9 @@ void shrink_block(TreeStore& tree, uint32_t block);
 void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane);
 
 // Adds faces to blocks. An overflowing block is divided at the medians of the centres of the faces' boxes,
-// along the longest axis, into blocks as full as possible, which become siblings. If its node is full, half of
-// the node's children move to a new node beside it; if there is no room for that either, the blocks get a new
-// node in the place of the first one.
+// along the longest axis, into blocks as full as possible, which become siblings. If its node is full, half
+// of the node's children move to a new node beside it; if there is no room for that either, the blocks get a
+// new node in the place of the first one.
 class BlockFiller {
  public:
   explicit BlockFiller(TreeStore& tree) : tree_(tree) {}
@@ -46,8 +46,8 @@ class BlockFiller {
 
   TreeStore& tree_;
   std::vector<TreeFace> faces_;
-  std::vector<Boxed> children_;  // to be hung
-  std::vector<uint32_t> items_;  // indices of faces or children, divided in place
+  std::vector<Boxed> children_;   // to be hung
+  std::vector<uint32_t> items_;   // indices of faces or children, divided in place
   std::vector<Float4> centres2_;  // twice the centres of their boxes
 };
 

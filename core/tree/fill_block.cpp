@@ -68,8 +68,8 @@ void BlockFiller::start(size_t items) {
   centres2_.clear();
 }
 
-// Moves the items of the first half of `parts` equal parts, in the order along the longest axis, to the front.
-// Returns their number.
+// Moves the items of the first half of `parts` equal parts, in the order along the longest axis, to the
+// front. Returns their number.
 size_t BlockFiller::divide(std::span<uint32_t> items, size_t parts) {
   FloatBox centres;
   for (const uint32_t i : items) centres.add(centres2_[i], centres2_[i]);

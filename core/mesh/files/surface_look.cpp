@@ -131,8 +131,8 @@ glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
     offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
   }
   const SinCos turn = sin_cos(std::fmod(rotation, 2 * kPi));
-  return glm::dmat3x2(turn.cos * scale.x, -turn.sin * scale.x, turn.sin * scale.y, turn.cos * scale.y, offset.x,
-                      offset.y);
+  return glm::dmat3x2(turn.cos * scale.x, -turn.sin * scale.x, turn.sin * scale.y, turn.cos * scale.y,
+                      offset.x, offset.y);
 }
 
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {

@@ -87,8 +87,7 @@ TEST(AabbTree, touched_faces_equal_brute_force_through_random_edits) {
         if (random.below(4) > 0 && mesh.data(f).halvings < 16) {
           std::vector<Replacement> replaced;
           refinement.split(mesh, f, replaced);
-          for (const auto& r : replaced)
-            tree.replace(mesh, {&r, 1});
+          for (const auto& r : replaced) tree.replace(mesh, {&r, 1});
         } else {
           const auto element = refinement.element(mesh, f);
           refinement.forget(mesh, f);

@@ -63,8 +63,7 @@ struct Edited {
   void update_trees() {
     // The best tree is updated in one call, the others face by face.
     for (size_t i = 0; i + 1 < trees.size(); ++i) {
-      for (const auto& r : late)
-        trees[i].replace(mesh, {&r, 1});
+      for (const auto& r : late) trees[i].replace(mesh, {&r, 1});
     }
     best().replace(mesh, late);
     late.clear();

@@ -31,8 +31,9 @@ bool meets(const Triangle& t, const Nozzle& nozzle) {
   clip(polygon, [](const Vec3& p) { return -p.z; });
   clip(polygon, [&](const Vec3& p) { return p.z - nozzle.length; });
   for (int k = 0; k < Nozzle::kSides && !polygon.empty(); ++k) {
-    const auto [sin, cos] = sin_cos(2 * kPi * k / Nozzle::kSides);
-    clip(polygon, [&](const Vec3& p) { return cos * p.x + sin * p.y - nozzle.radius - nozzle.slope * p.z; });
+    const SinCos side = sin_cos(2 * kPi * k / Nozzle::kSides);
+    clip(polygon,
+         [&](const Vec3& p) { return side.cos * p.x + side.sin * p.y - nozzle.radius - nozzle.slope * p.z; });
   }
   return !polygon.empty();
 }

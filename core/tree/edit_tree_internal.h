@@ -21,7 +21,7 @@ void drop_lane(TreeStore& tree, uint32_t block, uint32_t lane);
 
 // Adds faces to blocks. An overflowing block is divided at the medians of the centres of the faces' boxes,
 // along the longest axis, into blocks as full as possible, which become siblings. If its node is full, half
-// of the node's children move to a new node beside it; if there is no room for that either, the blocks get a
+// of the node's children move to a new sibling of it; if there is no room for that either, the blocks get a
 // new node in the place of the first one.
 class BlockFiller {
  public:
@@ -42,7 +42,7 @@ class BlockFiller {
   void close_block(uint32_t block, std::span<const uint32_t> faces);
   void gather_in_nodes();
   void hang(uint32_t parent, uint32_t slot);
-  void divide_node(uint32_t node, uint32_t above, uint32_t beside);
+  void divide_node(uint32_t node, uint32_t above, uint32_t free_slot);
 
   TreeStore& tree_;
   std::vector<TreeFace> faces_;

@@ -145,7 +145,7 @@ void BlockFiller::gather_in_nodes() {
   children_ = std::move(nodes);
 }
 
-// Hangs the children in a slot and beside it.
+// Hangs the children in a slot and in free slots of the same node.
 void BlockFiller::hang(uint32_t parent, uint32_t slot) {
   FloatBox all;
   for (const Boxed& c : children_) all.add(c.box);
@@ -157,13 +157,13 @@ void BlockFiller::hang(uint32_t parent, uint32_t slot) {
     return grow_above(tree_, parent, all);
   }
   const uint32_t above = tree_.nodes[parent].parent;
-  const unsigned beside = parent == tree_.root ? 0 : free_slots(tree_.nodes[above]);
-  if (beside != 0) {
+  const unsigned free_above = parent == tree_.root ? 0 : free_slots(tree_.nodes[above]);
+  if (free_above != 0) {
     for (uint32_t s = 0; s < kNodeWidth; ++s) {
       if (s != slot && !tree_.nodes[parent].child[s].none())
         children_.push_back({tree_.nodes[parent].child[s], tree_.slot_box(parent, s)});
     }
-    divide_node(parent, above, static_cast<uint32_t>(std::countr_zero(beside)));
+    divide_node(parent, above, static_cast<uint32_t>(std::countr_zero(free_above)));
   } else {
     const uint32_t n = tree_.add_node();
     for (uint32_t s = 0; s < children_.size(); ++s) tree_.hang(n, s, children_[s].child, children_[s].box);
@@ -174,7 +174,7 @@ void BlockFiller::hang(uint32_t parent, uint32_t slot) {
 
 // Divides the children, at most twice the width of a node, among a node and a new one in a free slot of the
 // node above.
-void BlockFiller::divide_node(uint32_t node, uint32_t above, uint32_t beside) {
+void BlockFiller::divide_node(uint32_t node, uint32_t above, uint32_t free_slot) {
   start(children_.size());
   for (const Boxed& c : children_) centres2_.push_back(c.box.low + c.box.high);
   const size_t first = divide(items_, 2);
@@ -188,7 +188,7 @@ void BlockFiller::divide_node(uint32_t node, uint32_t above, uint32_t beside) {
   }
   for (auto s = static_cast<uint32_t>(first); s < kNodeWidth; ++s) tree_.empty_slot(node, s);
   tree_.set_slot_box(above, tree_.nodes[node].slot, boxes[0]);
-  tree_.hang(above, beside, Child::node(fresh), boxes[1]);
+  tree_.hang(above, free_slot, Child::node(fresh), boxes[1]);
   boxes[0].add(boxes[1]);
   grow_above(tree_, above, boxes[0]);
 }

@@ -1,5 +1,5 @@
 #include "core/base/json.h"
-#include "ui/editor/inspect/face_inspector.h"
+#include "ui/editor/inspect/ruler.h"
 
 #include <gtest/gtest.h>
 

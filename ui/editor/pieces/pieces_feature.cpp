@@ -17,6 +17,7 @@
 #include "core/mesh/files/encode.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
+#include "ui/editor/pieces/area_selection.h"
 #include "ui/editor/pieces/pieces_list.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/panel_rows.h"
@@ -180,6 +181,22 @@ bool is_present(const World& world, const PieceId& piece) {
   return piece.label < pieces.size() && pieces[piece.label].faces > 0;
 }
 
+// The names of the materials of the faces of each piece; unnamed materials count as one.
+std::map<PieceId, std::set<std::string>> materials_of_pieces(const World& world) {
+  std::map<PieceId, std::set<std::string>> all;
+  for (const BodyId id : world.ids()) {
+    const Body& body = world.body(id);
+    std::set<std::pair<uint32_t, uint16_t>> used;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      const FaceData& data = body.mesh.data(FaceId(f));
+      if (used.emplace(data.piece, data.material).second && data.material < body.material_names.size())
+        all[{id, data.piece}].insert(body.material_names[data.material]);
+    }
+  }
+  return all;
+}
+
 class PiecesFeature : public Feature {
  public:
   explicit PiecesFeature(Workspace& workspace) : workspace_(workspace) {}
@@ -191,7 +208,7 @@ class PiecesFeature : public Feature {
   std::vector<UserAction> actions() override {
     return joined(
         {{tool_action(workspace_, kPickTool, "Select", "K",
-                      "Click a piece or drag a box to select; Shift adds. With the Laser tool, use Ctrl."),
+                      "Click a piece or drag around several to select; Shift adds. With the Laser, use Ctrl."),
           export_action()},
          piece_actions(),
          shown_actions()});
@@ -199,12 +216,14 @@ class PiecesFeature : public Feature {
   std::vector<Gesture> gestures() const override {
     return {
         {"select", "Ctrl+click", "Select a piece; Shift adds to the selection"},
-        {"select_box", "Ctrl+left drag", "Select pieces inside a box; right to left also those it touches"},
+        {"select_box", "Ctrl+left drag",
+         "Select pieces inside a box or lasso; a box from right to left also those it touches"},
+        {"select_more", "Left drag with the tool Select", "Likewise; Shift adds the pieces, Ctrl removes them"},
         {"rename", "Double click on a name in the list", "Rename the piece"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
-    return picks(workspace_.input, press) ? press_on_pieces(workspace_) : nullptr;
+    return picks(workspace_.input, press) ? press_on_pieces(workspace_, shape_) : nullptr;
   }
   bool clear_selection() override {
     const bool any = selected_count(workspace_.view.look.pieces) > 0;
@@ -213,8 +232,10 @@ class PiecesFeature : public Feature {
     return any;
   }
   const char* status_hint() const override {
-    return workspace_.input.picks() ? "Select: click or drag a box, Shift to add, G to move, R to rotate"
-                                    : nullptr;
+    if (!workspace_.input.picks()) return nullptr;
+    return shape_ == SelectionShape::kLasso
+               ? "Select: click or drag a lasso, Shift to add, G to move, R to rotate"
+               : "Select: click or drag a box, Shift to add, G to move, R to rotate";
   }
 
   bool awaits_focus() const override { return list_.awaits_focus(); }
@@ -276,6 +297,15 @@ class PiecesFeature : public Feature {
                       });
                     },
                     {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.select_material", "Select Same Material", "",
+                    "Selects all pieces that share a material with a selected one.",
+                    [this] { select_same_material(); }, {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.lasso", "Lasso Selection", "",
+                    "A drag that selects pieces draws a closed line around them instead of a box.",
+                    [this] {
+                      shape_ = shape_ == SelectionShape::kBox ? SelectionShape::kLasso : SelectionShape::kBox;
+                    },
+                    {.checked = [this] { return shape_ == SelectionShape::kLasso; }}),
         UserAction{.id = "view.frame_selected",
                    .name = "Frame Selected",
                    .shortcut = "F",
@@ -420,6 +450,16 @@ class PiecesFeature : public Feature {
                          [&](const PieceRow& other) { return alike(row, other); });
     });
   }
+  void select_same_material() {
+    const auto materials = materials_of_pieces(workspace_.world());
+    select_like([&](const PieceRow& a, const PieceRow& b) {
+      const auto first = materials.find(a.id), second = materials.find(b.id);
+      if (a.id == b.id) return true;
+      if (first == materials.end() || second == materials.end()) return false;
+      return std::any_of(first->second.begin(), first->second.end(),
+                         [&](const std::string& name) { return second->second.contains(name); });
+    });
+  }
   void frame_selected() {
     Bounds bounds = selected_bounds(workspace_.world(), workspace_.view.look.pieces);
     if (bounds.is_none()) bounds = workspace_.world().bounds();
@@ -498,6 +538,7 @@ class PiecesFeature : public Feature {
   PiecesList list_;
   Isolation isolation_{workspace_};
   PieceExport export_{workspace_};
+  SelectionShape shape_ = SelectionShape::kBox;
   std::vector<PieceId> copied_;  // for Paste
 };
 

@@ -52,7 +52,8 @@ const std::vector<MenuLayout> kMenus{
     {"Edit",
      {"edit.undo", "edit.redo", kLine,
       "pieces.copy", "pieces.paste", "pieces.duplicate", "pieces.delete", kLine,
-      ">Select", "pieces.select_all", "pieces.invert", "pieces.select_body", "pieces.select_similar", kLine,
+      ">Select", "pieces.select_all", "pieces.invert", "pieces.select_body", "pieces.select_material",
+      "pieces.select_similar", "pieces.lasso", kLine,
       "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename", kLine,
       "pieces.move", "pieces.rotate"}},
     {"Tool",
@@ -126,9 +127,9 @@ constexpr const char* kViewContext[] = {"view.frame_all",    "view.reset",      
                                         "edit.redo"};
 
 constexpr const char* kGestures[] = {
-    "cut",        "cut_line",     "select",    "select_box",      "move_piece", "pull_piece",   "add_point",
-    "move_point", "move_emitter", "rename",    "orbit",           "pan",        "move_section", "move_light",
-    "zoom",       "context",      "fit_graph", "look_along_axis", "escape"};
+    "cut",        "cut_line",   "select",       "select_box", "select_more",     "move_piece", "pull_piece",
+    "add_point",  "move_point", "move_emitter", "rename",     "orbit",           "pan",        "move_section",
+    "move_light", "zoom",       "context",      "fit_graph",  "look_along_axis", "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},

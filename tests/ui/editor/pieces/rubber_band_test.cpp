@@ -1,4 +1,4 @@
-#include "ui/editor/pieces/pieces_list.h"
+#include "ui/editor/pieces/area_selection.h"
 
 #include <gtest/gtest.h>
 

@@ -93,6 +93,10 @@ Status Landmarks::finish(bool busy, Vec2 pointer) {
 
 void keep_landmarks(Landmarks* landmarks) { ImGui::GetIO().UserData = landmarks; }
 
+void prefix_landmarks(const char* prefix) {
+  if (Landmarks* landmarks = kept_landmarks()) landmarks->set_prefix(prefix);
+}
+
 void mark_last_item(const char* name) {
   if (Landmarks* landmarks = kept_landmarks()) landmarks->mark(name, last_item());
 }

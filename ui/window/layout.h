@@ -55,8 +55,10 @@ class Landmarks {
   explicit Landmarks(std::optional<std::filesystem::path> file) : file_(std::move(file)) {}
 
   void begin_frame() { areas_.clear(); }
+  // Sets a prefix of the names that follow, for widgets that are also elsewhere in the window.
+  void set_prefix(std::string prefix) { prefix_ = std::move(prefix); }
   // Records a landmark; the last one of a name in a frame counts.
-  void mark(std::string name, const Area& area) { areas_.insert_or_assign(std::move(name), area); }
+  void mark(const std::string& name, const Area& area) { areas_.insert_or_assign(prefix_ + name, area); }
   // Records the areas of the layout under the names of the members of Layout.
   void mark(const Layout& layout);
   // Returns the area of a part in this frame; nullopt if it was not drawn.
@@ -71,6 +73,7 @@ class Landmarks {
  private:
   std::optional<std::filesystem::path> file_;
   std::map<std::string, Area> areas_;
+  std::string prefix_;
   bool busy_ = false;
   Vec2 pointer_{0};
   std::string written_;  // content of the file
@@ -79,6 +82,8 @@ class Landmarks {
 // Makes the landmarks available to widgets through the current ImGui context; nullptr: none. They must
 // outlive the drawn frames.
 void keep_landmarks(Landmarks* landmarks);
+// Sets the prefix of the names that follow (see Landmarks::set_prefix).
+void prefix_landmarks(const char* prefix);
 // Records the last widget as a landmark. No cost without landmarks.
 void mark_last_item(const char* name, int number);
 void mark_last_item(const char* name);

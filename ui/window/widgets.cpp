@@ -295,7 +295,13 @@ bool begin_properties(const char* id) {
 }
 
 void property(const char* label) {
-  KERF_ASSERT(ImGui::GetCurrentContext()->CurrentTable != nullptr);
+  if (ImGui::GetCurrentContext()->CurrentTable == nullptr) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    return ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  }
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();

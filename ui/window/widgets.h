@@ -44,7 +44,8 @@ void draw_fitted_text(const std::string& text, const char* meaning = nullptr, fl
 
 // Rows of a panel with labels at the left and widgets in a column at the right. Between begin_properties(),
 // if it returns true, and end_properties(), each row calls property() and then draws its one widget,
-// optionally followed by tooltip().
+// optionally followed by tooltip(). Outside of a table, label and widget share a line, as in the header of a
+// tool, and the width of the widget is that of ImGui::PushItemWidth().
 bool begin_properties(const char* id);
 void property(const char* label);
 void end_properties();

@@ -12,6 +12,7 @@
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/window/layout.h"
@@ -124,9 +125,21 @@ void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
            list);
 }
 
+// The values that clicks measure; kAll states the distance of two points and the rest with a third.
+enum class MeasuredKind { kAll, kDistance, kAngle, kRadius };
+constexpr const char* kKinds[] = {"All", "Distance", "Angle", "Radius"};
+
 class InspectFeature : public Feature {
  public:
   explicit InspectFeature(Workspace& workspace) : workspace_(workspace) {}
+
+  std::vector<ToolOption> tool_options() override {
+    return {{"measure.kind", 7, [this] {
+               if (marked_choice_row("Measure", "##kind", kind_, kKinds, "measured kind",
+                                     "Distance takes two clicks, angle and radius take three."))
+                 measured_.clear();
+             }}};
+  }
 
   std::vector<UserAction> actions() override {
     UserAction action =
@@ -187,29 +200,35 @@ class InspectFeature : public Feature {
     list.AddText(at, colours::kPictureText, text.c_str());
   }
   bool inspects() const { return workspace_.input.tool == kInspectTool; }
-  // The fourth click begins another measurement.
+  size_t clicks() const { return kind_ == MeasuredKind::kDistance ? 2 : 3; }
+  // A click after the last one begins another measurement.
   void measure() {
     if (workspace_.view.in_second) return workspace_.message.error("Measure distances in the left half.");
     const auto point = point_under_pointer(workspace_);
     if (!point) return workspace_.message.error("No surface under the pointer.");
-    if (measured_.size() == 3) measured_.clear();
+    if (measured_.size() == clicks()) measured_.clear();
     measured_.push_back(*point);
-    if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure the distance.");
+    if (measured_.size() < 2) return workspace_.message.info("Click a second point to measure.");
     const auto text = [&](double length) { return length_label(length, workspace_.view.frame.unit); };
     if (measured_.size() == 3) return workspace_.message.info(corner_text());
+    if (kind_ == MeasuredKind::kAngle || kind_ == MeasuredKind::kRadius)
+      return workspace_.message.info("Click a third point to measure.");
     const Vec3 way = measured_[1] - measured_[0];
     workspace_.message.info("Distance " + text(glm::length(way)) + "; along X " + text(std::abs(way.x)) +
                             ", along Y " + text(std::abs(way.y)) + ", along Z " + text(std::abs(way.z)) +
-                            "; click a third point for the angle and the radius");
+                            (clicks() > 2 ? "; click a third point for the angle and the radius" : ""));
   }
   std::string corner_text() const {
     const Corner corner = measure_corner(measured_[0], measured_[1], measured_[2]);
-    std::string text = text_of("Angle %.1f\u00b0", corner.degrees);
-    if (corner.radius) text += ", radius " + length_label(*corner.radius, workspace_.view.frame.unit);
-    return text;
+    const std::string angle = text_of("Angle %.1f\u00b0", corner.degrees);
+    if (kind_ == MeasuredKind::kAngle) return angle;
+    const std::string radius =
+        corner.radius ? length_label(*corner.radius, workspace_.view.frame.unit) : "infinite";
+    return kind_ == MeasuredKind::kRadius ? "Radius " + radius : angle + ", radius " + radius;
   }
 
   Workspace& workspace_;
+  MeasuredKind kind_ = MeasuredKind::kAll;
   std::vector<Vec3> measured_;  // m, the points that were clicked: at most three
   HeatProbe probe_;
 };

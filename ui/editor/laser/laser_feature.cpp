@@ -258,6 +258,20 @@ class LaserFeature : public Feature {
              }},
             {"resolution.cut", [this] { draw_resolution(); }}};
   }
+  std::vector<ToolOption> tool_options() override {
+    return {{"laser.radius", 9,
+             [this] {
+               if (radius_row(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
+             }},
+            {"laser.size", 9,
+             [this] {
+               const ShownRadius radius{workspace_.laser.radius, workspace_.view.frame.unit};
+               if (resolution_size_row(workspace_.laser.resolution, radius)) cut_again_live(false);
+             }},
+            {"laser.rim", 6, [this] {
+               if (rim_row(workspace_.laser.resolution)) cut_again_live(false);
+             }}};
+  }
   std::vector<UserAction> actions() override {
     return joined({{tool_action(workspace_, kLaserTool, "Laser", "L",
                                 "Cuts the mesh where you drag with the left button."),
@@ -658,7 +672,8 @@ void draw_hint_box(const World& world, const ViewState& view, const Area& taken)
   const auto corners = seen_corners(world.bounds(), view.seen_first(), picture);
   if (!corners) return;
   const auto is_free = [&](const Area& area) {
-    return !meets_hull(area, *corners) && !meets_hull(area, corners_of(taken)) && !hides_axes(view, area);
+    return !meets_hull(area, *corners) && !meets_hull(area, corners_of(taken)) &&
+           !meets_hull(area, corners_of(view.header)) && !hides_axes(view, area);
   };
   const auto place = free_place(picture, size_of_hints(), 1.2 * ImGui::GetFontSize(), is_free);
   if (!place) return;

@@ -169,6 +169,11 @@ class PathFeature : public Feature {
   std::vector<PanelPart> panel_parts() override {
     return {{kPathPanel, [this] { draw_panel(); }}};
   }
+  std::vector<ToolOption> tool_options() override {
+    return {{"path.speed", 6, [this] { panel_.draw_speed(path_, workspace_.view.frame.unit); },
+             [this] { return !path_.empty(); }},
+            {"path.resolution", 10, [this] { panel_.draw_resolution(at_panel_resolution_); }}};
+  }
   std::vector<UserAction> actions() override { return joined({{take_tool_action()}, path_actions()}); }
   std::vector<Gesture> gestures() const override {
     return {{"add_point", "Click on a surface",
@@ -504,12 +509,16 @@ void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
   path.set_radius(stroke, radius);
 }
 
-void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
-  if (path.empty() || !begin_properties("beam")) return;
-  draw_speed(path, unit);
+void PathPanel::draw_resolution(bool& at_panel_resolution) {
   choice_row("Resolution", "##cut", at_panel_resolution, "As kerf cut\0As Resolution Panel\0",
              "path resolution",
              "Cuts with the resolution and rim of kerf cut --path, or of the Resolution panel.");
+}
+
+void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit) {
+  if (path.empty() || !begin_properties("beam")) return;
+  draw_speed(path, unit);
+  draw_resolution(at_panel_resolution);
   if (path.selected()) draw_radius(path, world, unit);
   end_properties();
 }

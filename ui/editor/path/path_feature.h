@@ -60,11 +60,13 @@ class PathPanel {
   // --path. `beam`: of new points. `run_disabled_reason`: the reason why the path cannot be run, or null.
   void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
             const PathTool::Beam& beam, const char* run_disabled_reason, const PathActions& requests);
+  // Draw single rows. Precondition of the first: the path has points.
+  void draw_speed(PathWork& path, FileUnit unit);
+  void draw_resolution(bool& at_panel_resolution);
 
  private:
   void draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
                     const PathActions& requests);
-  void draw_speed(PathWork& path, FileUnit unit);
   void draw_radius(PathWork& path, const World& world, FileUnit unit);
   void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
   void draw_list(PathWork& path, const World& world, FileUnit unit);

@@ -205,6 +205,12 @@ class PiecesFeature : public Feature {
     return {{"pieces.list", [this] { draw_list(); }},
             {"pieces.explode", [this] { draw_spread(list_pieces(workspace_.world()).size() < 2); }}};
   }
+  std::vector<ToolOption> tool_options() override {
+    return {{"pieces.shape", 5, [this] {
+               choice_row("Shape", "##shape", shape_, "Box\0Lasso\0", "selection shape",
+                          "Shape of a drag that selects pieces.");
+             }}};
+  }
   std::vector<UserAction> actions() override {
     return joined(
         {{tool_action(workspace_, kPickTool, "Select", "K",

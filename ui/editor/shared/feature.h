@@ -23,6 +23,14 @@ struct PanelPart {
   std::function<void()> draw;
 };
 
+// An option of a tool, drawn as one row (see property()) in the header of the viewport.
+struct ToolOption {
+  const char* id;   // "laser.radius"
+  float width_ems;  // of its widget, without the label
+  std::function<void()> draw;
+  std::function<bool()> is_shown = [] { return true; };
+};
+
 // A feature of the editor with its panels, overlay, actions, keys and mouse input. Features are independent
 // of each other; they share parts of the Workspace. The frame loop calls each function for all features, in
 // the order of make_features().
@@ -32,6 +40,7 @@ class Feature {
 
   // Called once at startup, in any order. The results may refer to the feature.
   virtual std::vector<PanelPart> panel_parts() { return {}; }
+  virtual std::vector<ToolOption> tool_options() { return {}; }
   virtual std::vector<UserAction> actions() { return {}; }
   virtual std::vector<Gesture> gestures() const { return {}; }
 

@@ -93,12 +93,6 @@ bool scheme_row(ResolutionControls& to) {
       "Splits faces in four, as in the paper, or in two at the longest edge, which creates far fewer faces.");
 }
 
-bool rim_row(ResolutionControls& to) {
-  return choice_row(
-      "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
-      "Faces removes every face the beam touches (jagged edge); Smooth cuts faces along the beam.");
-}
-
 // A length as a share of the radius, from a 32nd of it to twice the radius.
 bool fraction_row(const char* name, double& fraction, double standard, const ShownRadius& radius,
                   const char* meaning) {
@@ -155,19 +149,27 @@ double min_depth(const World& world, const CameraView& view) {
 
 }  // namespace
 
-bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
-  bool changed = rule_row(to);
+bool resolution_size_row(ResolutionControls& to, const ShownRadius& radius) {
   switch (to.rule) {
     case Resolution::Rule::kTargetEdge:
-      changed = edge_row(to, radius) || changed;
-      break;
+      return edge_row(to, radius);
     case Resolution::Rule::kTolerance:
-      changed = tolerance_row(to, radius) || changed;
-      break;
+      return tolerance_row(to, radius);
     case Resolution::Rule::kDepth:
-      changed = depth_row(to) || changed;
       break;
   }
+  return depth_row(to);
+}
+
+bool rim_row(ResolutionControls& to) {
+  return choice_row(
+      "Rim", "##rim", to.rim, "Faces\0Smooth\0", nullptr,
+      "Faces removes every face the beam touches (jagged edge); Smooth cuts faces along the beam.");
+}
+
+bool resolution_rows(ResolutionControls& to, const ShownRadius& radius) {
+  bool changed = rule_row(to);
+  changed = resolution_size_row(to, radius) || changed;
   changed = scheme_row(to) || changed;
   return rim_row(to) || changed;
 }

@@ -78,8 +78,11 @@ struct ShownRadius {
   FileUnit unit;
 };
 
-// Draws the rows of a resolution. Returns true if anything changed.
+// Draws the rows of a resolution, or only that of the edge length, tolerance or depth, or of the rim. Each
+// returns true if anything changed.
 bool resolution_rows(ResolutionControls& to, const ShownRadius& radius);
+bool resolution_size_row(ResolutionControls& to, const ShownRadius& radius);
+bool rim_row(ResolutionControls& to);
 
 // Converts pointer motion into strokes. The emitter lies a little above and to the right of the eye. The
 // beam aims at a point on the pointer's ray at a distance that is fixed when the stroke starts (that of the

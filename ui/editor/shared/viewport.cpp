@@ -86,7 +86,7 @@ void draw_badge_sign(Badges::Sign sign, ImVec2 at, float side, ImDrawList& list)
 
 void Badges::draw(const ViewState& view, Sign sign, const std::string& text, const char* landmark,
                   float min_ems) {
-  const Area& picture = view.layout.first;
+  const Area picture = view.below_header();
   const float em = ImGui::GetFontSize(), side = 0.62f * em, gap = 0.5f * em;
   const float room = static_cast<float>(picture.size.x) - 2 * kBadgeMargin * em - side - gap;
   const std::string fitted = fitted_text(text, room);

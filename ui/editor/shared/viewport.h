@@ -23,6 +23,7 @@ struct ViewState {
   std::optional<View> home;     // initial view, from the scene
   double spread = 0;            // displacement of pieces over their distance from the centre of the world
   Layout layout;
+  Area header;                                   // the part that the options of the tool cover; may be empty
   Area legends;                                  // the part of the viewport that legends cover
   std::map<std::string, std::string> shortcuts;  // bound chords by action
   const World* second_world = nullptr;           // in the right half of a split view; null: not split
@@ -32,6 +33,11 @@ struct ViewState {
 
   // The half of the viewport under the pointer, or all of it if it is not split.
   const Area& pane() const { return in_second ? layout.second : layout.first; }
+  // The first half without the line of the header.
+  Area below_header() const {
+    const Vec2 covered(0, header.size.y);
+    return {layout.first.at + covered, layout.first.size - covered};
+  }
   double aspect() const { return pane().size.x / pane().size.y; }
   // The camera with the aspect ratio of that half.
   CameraView seen() const { return camera.view(aspect()); }
@@ -76,7 +82,7 @@ class PrimaryViewport {
   double em_;
 };
 
-// Badges of active modes, stacked at the upper edge of the first half of the viewport.
+// Badges of active modes, stacked at the upper edge of the first half of the viewport, below the header.
 class Badges {
  public:
   enum class Sign { kPlaying, kPaused, kMode };

@@ -361,7 +361,7 @@ class Dialogs : public Feature {
                                   [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
     bool& toolbar = workspace_.settings.toolbar_shown;
     actions.push_back(
-        make_action("view.toolbar", "Toolbar", "", "Shows the tools at the edge of the viewport.",
+        make_action("view.toolbar", "Toolbar", "", "Shows the tools at the edge of the viewport, and the options of the active one at its top.",
                     [&toolbar] { toolbar = !toolbar; }, {.checked = [&toolbar] { return toolbar; }}));
     return actions;
   }

@@ -214,6 +214,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   features_ = make_features(workspace_, catalogue_);
   saved_ = workspace_.settings;
   catalogue_.gather(features_, workspace_.services.panels);
+  header_.gather(features_);
   workspace_.changes.followed = [this](const Delta& delta) {
     for (const auto& feature : features_) feature->on_world_changed(delta);
   };
@@ -436,6 +437,9 @@ void EditorScreen::draw_panels() {
   draw_menu_bar(catalogue_.actions);
   draw_context_menu(catalogue_.actions, std::exchange(workspace_.input.asks_for_menu, false),
                     selected_count(workspace_.view.look.pieces) > 0);
+  workspace_.view.header = {};
+  if (workspace_.settings.toolbar_shown)
+    workspace_.view.header = header_.draw(layout, workspace_.input.tool, catalogue_.actions);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
   workspace_.services.badges.begin_frame();

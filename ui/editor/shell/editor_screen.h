@@ -11,6 +11,7 @@
 #include "ui/editor/shared/workspace.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/editor/shell/catalogue.h"
+#include "ui/editor/shell/tool_header.h"
 #include "ui/gl/buffers.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/layout.h"
@@ -141,6 +142,7 @@ class EditorScreen : public Screen {
   LivePicture picture_;
   Workspace workspace_;
   Catalogue catalogue_;
+  ToolHeader header_;
   Features features_;
   Settings saved_;  // in the file
   ThreadSetting threads_;

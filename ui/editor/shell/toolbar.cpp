@@ -1,11 +1,8 @@
 #include "ui/editor/shell/toolbar.h"
 
-#include <imgui.h>
 #include <array>
-#include <string>
 
 #include "ui/editor/shell/catalogue.h"
-#include "ui/window/icons.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
@@ -53,11 +50,14 @@ void draw_tool(const Tool& tool, const UserAction& action) {
 
 }  // namespace
 
+std::optional<Icon> icon_of_tool(const std::string& action) {
+  for (const Tool& tool : kTools) {
+    if (action == tool.action) return tool.icon;
+  }
+  return std::nullopt;
+}
+
 void draw_toolbar(const Area& viewport, std::span<const UserAction> actions) {
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
   const float em = ImGui::GetFontSize();
   const float height = (kTools.size() * kButtonEms + 4 * kGapEms) * em;
   if (viewport.size.y < height + 8 * em) return;
@@ -67,7 +67,7 @@ void draw_toolbar(const Area& viewport, std::span<const UserAction> actions) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.25f * em, 0.25f * em});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 4);
-  if (ImGui::Begin("##toolbar", nullptr, kFlags)) {
+  if (ImGui::Begin("##toolbar", nullptr, kOverlayBar)) {
     for (const Tool& tool : kTools) {
       if (tool.begins_group) ImGui::Dummy({0, kGapEms * em});
       if (const UserAction* action = find_action(actions, tool.action)) draw_tool(tool, *action);

@@ -374,7 +374,8 @@ class ViewFeature : public Feature {
     draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
     workspace_.view.legends =
         draw_legends(legends_of(workspace_.view.look, workspace_.services.statistics.shadows),
-                     under_label(workspace_.view.layout));
+                     workspace_.view.layout.split() ? under_label(workspace_.view.layout)
+                                                    : workspace_.view.below_header());
   }
   void add_landmarks(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});

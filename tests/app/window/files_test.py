@@ -87,6 +87,33 @@ class Files(WindowTest):
         editor.quit()
         self.assertEqual(os.listdir(pictures), [])
 
+    def test_a_file_changed_by_another_program_is_offered_for_reloading(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        part, scene = (os.path.join(folder.name, name) for name in ("part.obj", "scene.json"))
+
+        def write_part(name):
+            with open(os.path.join(ASSETS, "meshes", name)) as mesh, open(part, "w") as file:
+                file.write(mesh.read())
+
+        with open(scene, "w") as file:
+            json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        faces = {}
+        for choice in ("keep files", "reload files"):
+            write_part("plate.obj")
+            editor = self.open(scene)
+            editor.pause(3)
+            self.assertNotIn(choice, editor.landmarks()["parts"])
+            write_part("bracket.obj")
+            editor.pause(3)
+            editor.click(choice, 0.5, 0.5)
+            self.assertNotIn(choice, editor.landmarks()["parts"])
+            report = editor.quit()
+            self.assertEqual(report["files"], ["scene.json"])
+            faces[choice] = report["faces"]
+        self.assertGreater(faces["keep files"], 4000)
+        self.assertLess(faces["reload files"], 1000)
+
     @real_input
     def test_dropped_files_open_together_despite_a_broken_one(self):
         editor = self.open()

@@ -6,6 +6,7 @@
 #include "core/document/autosave.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/editor/files/file_opener.h"
+#include "ui/editor/files/watched_files.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/settings.h"
@@ -73,6 +74,9 @@ void draw_file_panel(const World& world, const SceneDescription& scene, ViewStat
   }
 }
 
+constexpr double kCheckSeconds = 1;  // between two checks of the files for changes
+constexpr double kOtherSize = 2;     // ratio of diagonals from which a reloaded world is framed again
+
 class FilesFeature : public Feature {
  public:
   explicit FilesFeature(Workspace& workspace) : workspace_(workspace) {
@@ -132,6 +136,8 @@ class FilesFeature : public Feature {
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
     opener_.take_loaded();
     opener_.make_shadows();
+    restore_view();
+    check_files();
     const bool kept = recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
                                        workspace_.message);
     workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
@@ -140,12 +146,16 @@ class FilesFeature : public Feature {
                                                                                      : "*";
     workspace_.services.statistics.shown.file = name_of_work(workspace_.session) + state;
   }
-  bool needs_redraw() const override { return workspace_.opening.loader.busy() || opener_.moving(); }
+  bool needs_redraw() const override {
+    return workspace_.opening.loader.busy() || opener_.moving() || watched_.awaits_check();
+  }
+  void on_document_opened() override { watch_again(); }
 
   void draw_windows() override {
     const World::Bounds bounds = workspace_.world().loaded_bounds();
     draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings,
                         workspace_.links.cut_once);
+    offer_reload();
     const FileLoader& loader = workspace_.opening.loader;
     Area picture = workspace_.view.layout.viewport;
     if (workspace_.shown_world().live_faces() == 0) picture.size.y *= 0.5;  // in the middle of an empty stage
@@ -270,6 +280,47 @@ class FilesFeature : public Feature {
     workspace_.changes.forget();
     then();
   }
+  // Makes the next check record the present state of the files.
+  void watch_again() {
+    watched_.watch({});
+    changed_.clear();
+    check_at_ = 0;
+  }
+  void check_files() {
+    if (workspace_.opening.loader.busy() || workspace_.screen.clock->seconds() < check_at_) return;
+    check_at_ = workspace_.screen.clock->seconds() + kCheckSeconds;
+    const std::vector<fs::path> files = files_of(workspace_.session);
+    if (!watched_.watches(files)) {
+      watched_.watch(files);
+      changed_.clear();
+    } else if (std::vector<fs::path> changed = watched_.changed(); !changed.empty()) {
+      changed_ = std::move(changed);
+    }
+  }
+  void offer_reload() {
+    const ViewState& view = workspace_.view;
+    if (changed_.empty() || workspace_.opening.loader.busy() || !view.frame_asked_for.empty()) return;
+    const ReloadChoice choice = draw_reload_card(changed_, view.layout.first);
+    if (choice == ReloadChoice::kNone) return;
+    watch_again();
+    if (choice == ReloadChoice::kReload) leave_for([this] { reload(); });
+  }
+  // Opens the document again, seen from the same place unless its size is another one.
+  void reload() {
+    const ViewState& view = workspace_.view;
+    kept_view_ = View{view.seen_first().near().eye, view.camera.pivot()};
+    kept_diagonal_ = workspace_.world().loaded_bounds().diagonal();
+    opener_.open(files_to_reload(workspace_.session));
+  }
+  void restore_view() {
+    if (!kept_view_ || workspace_.opening.loader.busy()) return;
+    const View view = *std::exchange(kept_view_, std::nullopt);
+    const double diagonal = workspace_.world().loaded_bounds().diagonal();
+    if (diagonal > kOtherSize * kept_diagonal_ || kept_diagonal_ > kOtherSize * diagonal) return;
+    workspace_.view.camera.look(view.eye, view.target);
+    workspace_.view.camera.finish();
+    workspace_.view.picture_old = true;
+  }
   void decide() {
     switch (take_decision(decisions_, workspace_.opening.recoverable)) {
       case Decision::kNone:
@@ -300,6 +351,7 @@ class FilesFeature : public Feature {
     const bool saved =
         save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
     recovery_.begin(workspace_.session, workspace_.view);
+    watch_again();
     if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
   }
   void select_file_to_open() {
@@ -341,6 +393,11 @@ class FilesFeature : public Feature {
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
+  WatchedFiles watched_;
+  std::vector<fs::path> changed_;  // by other programs, offered for reloading
+  double check_at_ = 0;            // s of the clock, of the next check
+  std::optional<View> kept_view_;  // during a reload
+  double kept_diagonal_ = 0;       // m, of the world at its begin
   std::optional<Captured> screenshot_;  // waits until this is drawn
 };
 

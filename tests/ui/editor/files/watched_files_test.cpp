@@ -1,0 +1,88 @@
+#include "ui/editor/files/watched_files.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+using Paths = std::vector<fs::path>;
+using test::write_text;
+
+class Watched : public testing::Test {
+ protected:
+  Watched() {
+    write_text(a_, "one");
+    write_text(b_, "two");
+    files_.watch({a_, b_});
+  }
+  // Changes the time alone, because two writes may fall into one tick of the clock of files.
+  void touch(const fs::path& file, int seconds) {
+    fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(seconds));
+  }
+  // The changes after the other program has finished.
+  Paths changed() {
+    files_.changed();
+    return files_.changed();
+  }
+
+  test::TemporaryFolder folder_;
+  fs::path a_ = folder_ / "a.obj", b_ = folder_ / "b.obj";
+  WatchedFiles files_;
+};
+
+TEST_F(Watched, a_new_time_or_size_is_a_change_until_it_is_recorded) {
+  EXPECT_EQ(changed(), Paths());
+  touch(b_, -5);
+  EXPECT_EQ(changed(), Paths{b_});
+  EXPECT_EQ(changed(), Paths{b_});
+  const fs::file_time_type time = fs::last_write_time(a_);
+  write_text(a_, "longer");
+  fs::last_write_time(a_, time);
+  EXPECT_EQ(changed(), (Paths{a_, b_}));
+  files_.watch({a_, b_});
+  EXPECT_EQ(changed(), Paths());
+}
+
+TEST_F(Watched, a_file_counts_once_it_stays_the_same) {
+  for (int i = 1; i <= 3; ++i) {
+    touch(a_, i);
+    EXPECT_EQ(files_.changed(), Paths());
+    EXPECT_TRUE(files_.awaits_check());
+  }
+  EXPECT_EQ(files_.changed(), Paths{a_});
+  EXPECT_FALSE(files_.awaits_check());
+}
+
+TEST_F(Watched, a_removed_file_counts_when_it_is_back) {
+  fs::remove(a_);
+  EXPECT_EQ(changed(), Paths());
+  write_text(a_, "another");
+  EXPECT_EQ(changed(), Paths{a_});
+}
+
+TEST(FilesOfDocument, are_its_journal_or_origin_and_its_meshes) {
+  DocumentSession session;
+  session.files = {"scene.json"};
+  session.scene.bodies.resize(3);
+  session.scene.bodies[0].mesh = "a.obj";
+  session.scene.bodies[1].mesh = "b.obj";
+  session.scene.bodies[2].mesh = "a.obj";
+  EXPECT_EQ(files_of(session), (Paths{"scene.json", "a.obj", "b.obj"}));
+  session.file = "work.kerf";
+  EXPECT_EQ(files_of(session), (Paths{"work.kerf", "a.obj", "b.obj"}));
+  EXPECT_EQ(files_to_reload(session), Paths{"work.kerf"});
+}
+
+TEST(ChangedFiles, are_named_and_counted) {
+  EXPECT_EQ(words_on_changed({"/x/car.obj"}), "car.obj was changed by another program.");
+  EXPECT_EQ(words_on_changed({"/x/car.obj", "b", "c"}),
+            "car.obj and 2 more files were changed by other programs.");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -83,8 +83,9 @@ class RecentFeature : public Feature {
   }
 
   void update(double) override {
-    if (recent_ == workspace_.settings.recent) return;
-    recent_ = workspace_.settings.recent;
+    std::vector<fs::path> listed = listed_files(workspace_.settings);
+    if (recent_ == listed) return;
+    recent_ = std::move(listed);
     workspace_.services.thumbnails.keep_only(recent_);
   }
 
@@ -94,6 +95,7 @@ class RecentFeature : public Feature {
 
  private:
   std::vector<UserAction> files();
+  UserAction pin_action();
   bool is_due();
   void take();
 
@@ -105,7 +107,7 @@ class RecentFeature : public Feature {
 
 std::vector<UserAction> RecentFeature::files() {
   std::vector<UserAction> actions;
-  for (const fs::path& file : workspace_.settings.recent) {
+  for (const fs::path& file : listed_files(workspace_.settings)) {
     actions.push_back({.name = file.filename().string(), .tip = file.string()});
     actions.back().run = [this, file] { workspace_.links.open({file}); };
     actions.back().disabled_reason = [file]() -> const char* {
@@ -113,14 +115,33 @@ std::vector<UserAction> RecentFeature::files() {
       return fs::exists(file, error) ? nullptr : "This file no longer exists.";
     };
     actions.back().tip_picture = [this, file] { return workspace_.services.thumbnails.find(file); };
+    actions.back().checked = [this, file] { return is_pinned(workspace_.settings, file); };
+    actions.back().ends_group = actions.size() == workspace_.settings.pinned.size();
   }
   if (!actions.empty()) actions.back().ends_group = true;
-  actions.push_back({.name = "Clear Recent Files", .tip = "Removes all entries; the files are kept."});
+  actions.push_back(pin_action());
+  actions.push_back(
+      {.name = "Clear Recent Files", .tip = "Removes all entries that are not pinned; the files are kept."});
   actions.back().run = [this] { workspace_.settings.recent.clear(); };
   actions.back().disabled_reason = [this] {
     return workspace_.settings.recent.empty() ? "No recent files." : nullptr;
   };
   return actions;
+}
+
+UserAction RecentFeature::pin_action() {
+  const fs::path open = file_shown(workspace_.session);
+  const bool full = workspace_.settings.pinned.size() >= Settings::kMaxRecent;
+  UserAction action{.name = "Pin Current File", .tip = "Keeps the open file at the top of this list."};
+  action.run = [this, open] {
+    pin_recent(workspace_.settings, open, !is_pinned(workspace_.settings, open));
+  };
+  action.checked = [this, open] { return !open.empty() && is_pinned(workspace_.settings, open); };
+  action.disabled_reason = [checked = action.checked, open, full]() -> const char* {
+    if (open.empty()) return "Open a single file first.";
+    return full && !checked() ? "Unpin another file first." : nullptr;
+  };
+  return action;
 }
 
 // Returns true if the viewport shows a file as it was opened or saved, and is complete.
@@ -338,7 +359,7 @@ class WelcomeFeature : public Feature {
   // At the left, where it hides least of the scene in the middle.
   void draw_welcome() {
     const float em = ImGui::GetFontSize();
-    const Area& picture = workspace_.view.layout.viewport;
+    const Area picture = workspace_.view.below_header();
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
@@ -363,14 +384,13 @@ class WelcomeFeature : public Feature {
     ImGui::PopStyleVar();
   }
   void draw_recent() {
-    if (workspace_.settings.recent.empty()) return;
+    const std::vector<std::filesystem::path> listed = listed_files(workspace_.settings);
+    if (listed.empty()) return;
     ImGui::Spacing();
     ImGui::TextDisabled("Recent");
     const float em = ImGui::GetFontSize();
     const Vec2 picture(4.8 * em, 3 * em);
-    for (const std::filesystem::path& file :
-         std::span(workspace_.settings.recent)
-             .first(std::min(kMaxRecent, workspace_.settings.recent.size()))) {
+    for (const std::filesystem::path& file : std::span(listed).first(std::min(kMaxRecent, listed.size()))) {
       ImGui::PushID(file.c_str());
       open_by(file, "##recent", {0, 3.5f * em});
       mark_last_item(("welcome " + file.filename().string()).c_str());

@@ -78,6 +78,14 @@ Json recent_json(const std::vector<fs::path>& recent) {
   return list;
 }
 
+void read_recent(const Json& list, std::vector<fs::path>& recent) {
+  if (!list.is_array()) return;
+  for (const Json& file : list) {
+    if (file.is_string() && recent.size() < Settings::kMaxRecent)
+      recent.emplace_back(file.get<std::string>());
+  }
+}
+
 Json frames_json(const Settings& s) {
   Json all = Json::object();
   for (const auto& [kind, frame] : s.frames) all[kind] = frame ? frame_to_json(*frame) : Json("guess");
@@ -330,13 +338,8 @@ static void describe(KeptFields& f, Settings& s) {
     }
   });
   f.any("windows", windows_json(s), [&](const Json& windows) { read_windows(windows, s); });
-  f.any("recent", recent_json(s.recent), [&](const Json& list) {
-    if (!list.is_array()) return;
-    for (const Json& file : list) {
-      if (file.is_string() && s.recent.size() < Settings::kMaxRecent)
-        s.recent.emplace_back(file.get<std::string>());
-    }
-  });
+  f.any("recent", recent_json(s.recent), [&](const Json& list) { read_recent(list, s.recent); });
+  f.any("pinned", recent_json(s.pinned), [&](const Json& list) { read_recent(list, s.pinned); });
   f.any("frames", frames_json(s), [&](const Json& frames) {
     if (!frames.is_object()) return;
     for (const auto& [kind, frame] : frames.items()) s.frames[kind] = frame_from_json(frame);
@@ -368,9 +371,31 @@ fs::path whole_path(const fs::path& file) {
 
 void remember_recent(Settings& settings, const fs::path& file) {
   const fs::path whole = whole_path(file);
+  if (is_pinned(settings, whole)) return;
   std::erase(settings.recent, whole);
   settings.recent.insert(settings.recent.begin(), whole);
   if (settings.recent.size() > Settings::kMaxRecent) settings.recent.resize(Settings::kMaxRecent);
+}
+
+void pin_recent(Settings& settings, const fs::path& file, bool pinned) {
+  const fs::path whole = whole_path(file);
+  std::erase(settings.pinned, whole);
+  std::erase(settings.recent, whole);
+  if (pinned) {
+    settings.pinned.push_back(whole);
+  } else {
+    remember_recent(settings, whole);
+  }
+}
+
+bool is_pinned(const Settings& settings, const fs::path& file) {
+  return std::ranges::find(settings.pinned, whole_path(file)) != settings.pinned.end();
+}
+
+std::vector<fs::path> listed_files(const Settings& settings) {
+  std::vector<fs::path> files = settings.pinned;
+  files.insert(files.end(), settings.recent.begin(), settings.recent.end());
+  return files;
 }
 
 fs::path settings_file() { return settings_folder() / "settings.json"; }

@@ -44,7 +44,8 @@ struct Settings {
   std::map<std::string, bool> panels;           // whether they are unfolded, by their ids
   std::map<std::string, Dock> docks;            // by their ids; not in here: in the sidebar
   std::map<std::string, Area> windows;          // last areas of floating panels, by their ids
-  std::vector<std::filesystem::path> recent;    // latest first, absolute
+  std::vector<std::filesystem::path> recent;    // latest first, absolute, without the pinned ones
+  std::vector<std::filesystem::path> pinned;    // recent files that stay, in the order of pinning
   // Frames by mesh format ("stl"); nullopt: a guess for each file. Missing formats were not asked about yet.
   std::map<std::string, std::optional<FileFrame>> frames;
   std::filesystem::path folder;  // last folder of the file browser
@@ -70,8 +71,13 @@ std::optional<FileFrame> frame_from_json(const nlohmann::json& json);
 
 // Returns the path of a recent file: absolute, with symbolic links resolved where possible.
 std::filesystem::path whole_path(const std::filesystem::path& file);
-// Moves a file to the front of the recent files.
+// Moves a file to the front of the recent files, unless it is pinned.
 void remember_recent(Settings& settings, const std::filesystem::path& file);
+// Pins or unpins a recent file. Unpinned, it becomes the latest one.
+void pin_recent(Settings& settings, const std::filesystem::path& file, bool pinned);
+bool is_pinned(const Settings& settings, const std::filesystem::path& file);
+// Returns the pinned files and then the recent ones.
+std::vector<std::filesystem::path> listed_files(const Settings& settings);
 
 // Returns the settings file, below settings_folder().
 std::filesystem::path settings_file();

@@ -42,6 +42,7 @@ TEST_F(SettingsTest, round_trip) {
   settings.strip_ems = 12;
   settings.welcomed = true;
   settings.recent = {"/a/car.obj"};
+  settings.pinned = {"/b/hood.obj", "/a/door.obj"};
   settings.folder = "/a";
   settings.drag_speed = 2;
   settings.wheel_speed = 0.5;
@@ -114,6 +115,23 @@ TEST(RecentFiles, are_the_ten_latest_without_duplicates) {
   EXPECT_EQ(settings.recent[0], "/none/9");
   EXPECT_EQ(settings.recent[1], "/none/13");
   EXPECT_EQ(std::count(settings.recent.begin(), settings.recent.end(), fs::path("/none/9")), 1);
+}
+
+TEST(RecentFiles, pinned_files_come_first_and_stay) {
+  Settings settings;
+  for (int i = 0; i < 4; ++i) remember_recent(settings, "/none/" + std::to_string(i));
+  pin_recent(settings, "/none/1", true);
+  pin_recent(settings, "/none/0", true);
+  for (int i = 4; i < 20; ++i) remember_recent(settings, "/none/" + std::to_string(i));
+  remember_recent(settings, "/none/0");
+  const std::vector<fs::path> listed = listed_files(settings);
+  ASSERT_EQ(listed.size(), 2 + Settings::kMaxRecent);
+  EXPECT_EQ(std::vector(listed.begin(), listed.begin() + 3),
+            (std::vector<fs::path>{"/none/1", "/none/0", "/none/19"}));
+  pin_recent(settings, "/none/1", false);
+  EXPECT_FALSE(is_pinned(settings, "/none/1"));
+  EXPECT_EQ(settings.recent.front(), "/none/1");
+  EXPECT_EQ(settings.recent.size(), Settings::kMaxRecent);
 }
 
 }  // namespace

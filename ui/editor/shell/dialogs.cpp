@@ -8,6 +8,10 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/platform.h"
+#include "core/document/text/json.h"
+#include "core/base/number_format.h"
+#include "ui/editor/shell/keymap.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/gl/context.h"
 #include "ui/window/gui.h"
@@ -181,7 +185,29 @@ void speed_row(const char* name, double& speed, const char* meaning) {
   mark_last_item(name);
 }
 
-void draw_mouse(Settings& settings) {
+bool page_button(const char* label, const char* landmark, const char* meaning) {
+  ImGui::SameLine();
+  const bool pressed = ImGui::Button(label);
+  mark_last_item(landmark);
+  tooltip(meaning);
+  return pressed;
+}
+
+// Draws the buttons next to the presets.
+void draw_keymap_buttons(SettingsPage& page, Settings& settings) {
+  if (page_button("Import...", "import keymap", "Reads the shortcuts of all actions from a file (.json)."))
+    page.asks_for = SettingsPage::KeymapFile::kImport;
+  if (page_button("Export...", "export keymap", "Writes the shortcuts of all actions to a file (.json)."))
+    page.asks_for = SettingsPage::KeymapFile::kExport;
+  const bool is_default = settings.bindings.empty();
+  ImGui::BeginDisabled(is_default);
+  if (page_button("Reset", "reset keymap",
+                  is_default ? "All shortcuts are the default ones." : "Restores the default shortcuts."))
+    settings.bindings.clear();
+  ImGui::EndDisabled();
+}
+
+void draw_mouse(SettingsPage& page, Settings& settings) {
   if (!begin_properties("mouse")) return;
   speed_row("Orbit", settings.drag_speed, "Rotation of the view per drag of the mouse.");
   speed_row("Zoom", settings.wheel_speed, "Zoom per notch of the wheel.");
@@ -193,6 +219,7 @@ void draw_mouse(Settings& settings) {
     mark_last_item(preset.name);
     tooltip(preset.meaning);
   }
+  draw_keymap_buttons(page, settings);
   end_properties();
 }
 
@@ -337,6 +364,7 @@ class Dialogs : public Feature {
     draw_message_log(workspace_.services.messages_shown, workspace_.message);
     draw_about(about_shown_, version_);
     draw_settings_page(page_, workspace_.settings, catalogue_.usual);
+    open_keymap_dialog(std::exchange(page_.asks_for, SettingsPage::KeymapFile::kNone));
     const Area& picture = workspace_.view.layout.viewport;
     draw_palette(palette_, catalogue_.actions, static_cast<float>(picture.at.x + 0.5 * picture.size.x),
                  static_cast<float>(picture.at.y + ImGui::GetFontSize()));
@@ -383,6 +411,49 @@ class Dialogs : public Feature {
                     [this] { workspace_.services.messages_shown = !workspace_.services.messages_shown; },
                     {.checked = [this] { return workspace_.services.messages_shown; }}),
     };
+  }
+
+  void open_keymap_dialog(SettingsPage::KeymapFile asked) {
+    FileBrowser& browser = workspace_.services.browser;
+    if (asked == SettingsPage::KeymapFile::kImport) {
+      browse(browser,
+             {.title = "Import Keymap",
+              .verb = "Import",
+              .hint = "Filter, or paste a full path",
+              .listed = ".json",
+              .take = [this](const std::filesystem::path& file) { return import_keymap(file); }},
+             workspace_.settings.folder, "");
+    } else if (asked == SettingsPage::KeymapFile::kExport) {
+      browse(browser,
+             {.title = "Export Keymap",
+              .verb = "Export",
+              .hint = "File name (.json)",
+              .listed = ".json",
+              .endings = {".json"},
+              .take = [this](const std::filesystem::path& file) { return export_keymap(file); },
+              .inputs = [this] { return inputs_of(workspace_.session); }},
+             workspace_.settings.folder, "keymap.json");
+    }
+  }
+  // Both return the reason on failure, else an empty text.
+  std::string export_keymap(const std::filesystem::path& file) {
+    const auto text = keymap_text(catalogue_.usual, workspace_.settings.bindings);
+    if (!text) return text.error().message;
+    const Status written = write_file_atomically(file, *text);
+    if (!written) return written.error().message;
+    workspace_.message.info("Exported: " + file.string());
+    return "";
+  }
+  std::string import_keymap(const std::filesystem::path& file) {
+    const auto text = read_text_file(file);
+    if (!text) return text.error().message;
+    auto bindings = parse_keymap(*text, file.string(), catalogue_.usual);
+    if (!bindings) return bindings.error().message;
+    workspace_.settings.bindings = std::move(*bindings);
+    workspace_.message.info("Imported: " + file.string() + ", " +
+                            count_text(workspace_.settings.bindings.size(), "shortcut") +
+                            " other than the default");
+    return "";
   }
 
   Workspace& workspace_;
@@ -450,7 +521,7 @@ void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const 
   if (!page.shown) return;
   if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
     const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-    draw_mouse(settings);
+    draw_mouse(page, settings);
     draw_machine(settings);
     draw_prompt(page, settings, usual, actions);
     draw_list(page, actions);

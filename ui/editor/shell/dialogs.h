@@ -33,6 +33,8 @@ struct SettingsPage {
   std::optional<KeyChord> clashes = std::nullopt;  // the pressed key, which belongs to another action
   size_t cursor = 0;                               // index into the actions
   bool show_cursor = false;
+  enum class KeymapFile { kNone, kImport, kExport };
+  KeymapFile asks_for = KeymapFile::kNone;  // a button was pressed
 };
 
 // Processes a key (GLFW_KEY_*, GLFW_MOD_*) while the page is shown. `usual` are the actions with their

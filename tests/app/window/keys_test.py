@@ -147,6 +147,29 @@ class SettingsTest(WindowTest):
         self.assertEqual(self.settings()["bindings"]["view.wire"], "Shift+Z")
 
 
+    def test_an_exported_keymap_is_imported_after_a_reset(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("ctrl", "comma")
+        editor.click("Blender", 0.5, 0.5)
+        editor.click("export keymap", 0.5, 0.5)
+        self.type_name(editor, "keys.json")
+        editor.settle()
+        editor.click("reset keymap", 0.5, 0.5)
+        editor.quit()
+        self.assertEqual(self.settings()["bindings"], {})
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("ctrl", "comma")
+        editor.click("import keymap", 0.5, 0.5)
+        self.type_name(editor, "keys.json")
+        editor.settle()
+        editor.do("Escape")
+        editor.do("shift", "z")
+        self.assertTrue(editor.quit()["view"]["wire"])
+        self.assertEqual(self.settings()["bindings"]["view.wire"], "Shift+Z")
+
+
 class PointerTest(WindowTest):
     def test_pieces_are_copied_pasted_undone_and_redone_by_the_usual_keys(self):
         editor = self.open(SPHERE)

@@ -144,9 +144,10 @@ fs::path with_ending(fs::path file, const FileBrowser& b) {
   return file;
 }
 
-// "Journal with All Cuts (.kerf)".
-std::string type_name(const std::string& ending) {
-  const char* name = ending == ".kerf" ? "Journal with All Cuts " : ending == ".json" ? "Scene or Path " : "";
+// "Journal with All Cuts (.kerf)" if a document can be saved as several types, else the extension.
+std::string type_name(const std::string& ending, bool is_only_type) {
+  if (is_only_type) return ending;
+  const char* name = ending == ".kerf" ? "Journal with All Cuts " : ending == ".json" ? "Scene " : "";
   return std::string(name) + (*name != '\0' ? "(" + ending + ")" : ending);
 }
 
@@ -315,7 +316,8 @@ void draw_types(FileBrowser& b) {
   const fs::path name = with_ending(b.name.data(), b);
   for (const std::string& ending : b.request.endings) {
     if (&ending != &b.request.endings.front()) ImGui::SameLine();
-    if (ImGui::RadioButton(type_name(ending).c_str(), name.extension() == ending) && b.name.front() != '\0') {
+    const std::string type = type_name(ending, b.request.endings.size() == 1);
+    if (ImGui::RadioButton(type.c_str(), name.extension() == ending) && b.name.front() != '\0') {
       set_name(b, fs::path(name).replace_extension(ending).string());
       b.replace.clear();
     }

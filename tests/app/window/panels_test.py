@@ -67,6 +67,47 @@ class Panels(WindowTest):
         editor.wait_for_title("bracket.json - Kerf")
         editor.quit()
 
+    def select(self, editor, combo, index):
+        """An entry of a list in the header."""
+        editor.click(f"header {combo}", 0.5, 0.5)
+        editor.click(f"header {combo} {index}", 0.5, 0.5)
+
+    def test_the_header_has_the_options_of_the_active_tool(self):
+        editor = self.open(SPHERE)
+        editor.click("header radius", 0.1, 0.5)
+        editor.do("k")
+        self.assertNotIn("header radius", self.parts(editor))
+        editor.click("header pieces.invert", 0.5, 0.5)
+        self.select(editor, "selection shape", 1)
+        editor.drag([(0.35, 0.2), (0.65, 0.2), (0.65, 0.8), (0.35, 0.8)])  # too close around the sphere
+        editor.do("m")
+        self.select(editor, "measured kind", 1)
+        for across in (0.45, 0.5, 0.55):
+            editor.click(across, 0.5)
+        first = editor.quit()
+        self.assertIn("second point", first["message"])
+        self.assertEqual((first["strokes"], first["pieces_chosen"]), (0, 0))
+        editor = self.open_again(SPHERE)
+        editor.do("m")
+        self.select(editor, "measured kind", 3)
+        for across in (0.45, 0.5, 0.55):
+            editor.click(across, 0.5)
+        second = editor.quit()
+        self.assertTrue(second["message"].startswith("Radius "), second["message"])
+        self.assertLess(first["laser"]["radius"], second["laser"]["radius"])
+
+    def test_the_header_is_hidden_with_the_toolbar(self):
+        editor = self.open(SPHERE)
+        self.assertIn("header bar", self.parts(editor))
+        editor.press("ctrl", "p")
+        editor.type("toolbar")
+        editor.press("Return")
+        editor.settle()
+        self.assertNotIn("header bar", self.parts(editor))
+        self.assertNotIn("tool.laser", self.parts(editor))
+        editor.quit()
+        self.assertFalse(self.settings()["toolbar_shown"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -110,7 +110,7 @@ class Section(WindowTest):
         editor.release(1)
         editor.settle()
         self.assertEqual(editor.ask("report")["undo_depth"], 0)
-        editor.drag([(0.02, 0.05), (0.5, 0.06)])
+        editor.drag([(0.02, 0.1), (0.5, 0.11)])
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["pieces"]), (0, 1))
         self.assertIn("The plane crosses no visible piece.", report["messages"])

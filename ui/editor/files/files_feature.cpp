@@ -394,10 +394,10 @@ class FilesFeature : public Feature {
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
   WatchedFiles watched_;
-  std::vector<fs::path> changed_;  // by other programs, offered for reloading
-  double check_at_ = 0;            // s of the clock, of the next check
-  std::optional<View> kept_view_;  // during a reload
-  double kept_diagonal_ = 0;       // m, of the world at its begin
+  std::vector<fs::path> changed_;       // by other programs, offered for reloading
+  double check_at_ = 0;                 // s of the clock, of the next check
+  std::optional<View> kept_view_;       // during a reload
+  double kept_diagonal_ = 0;            // m, of the world at its begin
   std::optional<Captured> screenshot_;  // waits until this is drawn
 };
 

@@ -133,9 +133,7 @@ UserAction RecentFeature::pin_action() {
   const fs::path open = file_shown(workspace_.session);
   const bool full = workspace_.settings.pinned.size() >= Settings::kMaxRecent;
   UserAction action{.name = "Pin Current File", .tip = "Keeps the open file at the top of this list."};
-  action.run = [this, open] {
-    pin_recent(workspace_.settings, open, !is_pinned(workspace_.settings, open));
-  };
+  action.run = [this, open] { pin_recent(workspace_.settings, open, !is_pinned(workspace_.settings, open)); };
   action.checked = [this, open] { return !open.empty() && is_pinned(workspace_.settings, open); };
   action.disabled_reason = [checked = action.checked, open, full]() -> const char* {
     if (open.empty()) return "Open a single file first.";

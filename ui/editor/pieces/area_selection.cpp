@@ -171,7 +171,8 @@ class PressOnPieces : public Interaction {
   }
   void draw(ImDrawList& list) const override {
     if (!drags_) return;
-    is_lasso() ? draw_lasso(drawn_, list) : draw_rubber_band({drawn_.front(), workspace_.input.pointer}, list);
+    is_lasso() ? draw_lasso(drawn_, list)
+               : draw_rubber_band({drawn_.front(), workspace_.input.pointer}, list);
   }
 
  private:

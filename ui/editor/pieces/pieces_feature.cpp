@@ -213,19 +213,20 @@ class PiecesFeature : public Feature {
   }
   std::vector<UserAction> actions() override {
     return joined(
-        {{tool_action(workspace_, kPickTool, "Select", "K",
-                      "Click a piece or drag around several to select; Shift adds. With the Laser, use Ctrl."),
+        {{tool_action(
+              workspace_, kPickTool, "Select", "K",
+              "Click a piece or drag around several to select; Shift adds. With the Laser, use Ctrl."),
           export_action()},
          piece_actions(),
          shown_actions()});
   }
   std::vector<Gesture> gestures() const override {
-    return {
-        {"select", "Ctrl+click", "Select a piece; Shift adds to the selection"},
-        {"select_box", "Ctrl+left drag",
-         "Select pieces inside a box or lasso; a box from right to left also those it touches"},
-        {"select_more", "Left drag with the tool Select", "Likewise; Shift adds the pieces, Ctrl removes them"},
-        {"rename", "Double click on a name in the list", "Rename the piece"}};
+    return {{"select", "Ctrl+click", "Select a piece; Shift adds to the selection"},
+            {"select_box", "Ctrl+left drag",
+             "Select pieces inside a box or lasso; a box from right to left also those it touches"},
+            {"select_more", "Left drag with the tool Select",
+             "Select pieces inside a box or lasso; Shift adds them, Ctrl removes them"},
+            {"rename", "Double click on a name in the list", "Rename the piece"}};
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/base/number_format.h"
 #include "core/base/platform.h"
 #include "core/document/text/json.h"
-#include "core/base/number_format.h"
 #include "ui/editor/shell/keymap.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/gl/context.h"
@@ -388,9 +388,10 @@ class Dialogs : public Feature {
                                   "Hides the sidebar, so that the viewport fills the window.",
                                   [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
     bool& toolbar = workspace_.settings.toolbar_shown;
-    actions.push_back(
-        make_action("view.toolbar", "Toolbar", "", "Shows the tools at the edge of the viewport, and the options of the active one at its top.",
-                    [&toolbar] { toolbar = !toolbar; }, {.checked = [&toolbar] { return toolbar; }}));
+    actions.push_back(make_action(
+        "view.toolbar", "Toolbar", "",
+        "Shows the tools at the edge of the viewport, and the options of the active one at its top.",
+        [&toolbar] { toolbar = !toolbar; }, {.checked = [&toolbar] { return toolbar; }}));
     return actions;
   }
   std::vector<UserAction> help_actions() {

@@ -83,8 +83,8 @@ void ToolHeader::draw_items(const HeaderLayout& header, float right,
     const auto option = options_.find(item.id);
     const UserAction* action = item.label != nullptr ? find_action(actions, item.id) : nullptr;
     if (action == nullptr && (option == options_.end() || !option->second.is_shown())) continue;
-    const float width = action != nullptr ? width_of_button(item.label)
-                                          : (option->second.width_ems + kLabelEms) * em;
+    const float width =
+        action != nullptr ? width_of_button(item.label) : (option->second.width_ems + kLabelEms) * em;
     const float gap = (action != nullptr && &item != &header.items.front() ? 0.5f : 1) * kItemGapEms * em;
     ImGui::SameLine(0, gap);
     if (ImGui::GetCursorScreenPos().x + width > right) return;
@@ -96,8 +96,7 @@ Area ToolHeader::draw(const Layout& layout, const std::string& tool,
                       std::span<const UserAction> actions) const {
   const float em = ImGui::GetFontSize();
   const Area& viewport = layout.viewport;
-  const auto header =
-      std::ranges::find_if(kHeaders, [&](const HeaderLayout& h) { return h.tool == tool; });
+  const auto header = std::ranges::find_if(kHeaders, [&](const HeaderLayout& h) { return h.tool == tool; });
   const UserAction* action = find_action(actions, "tool." + tool);
   if (header == kHeaders.end() || action == nullptr || layout.split()) return {viewport.at, Vec2(0)};
   if (viewport.size.x < kMinWidthEms * em || viewport.size.y < kMinHeightEms * em)

@@ -13,9 +13,7 @@
 namespace kerf {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b) {
-  return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-}
+double turn(const Vec2& a, const Vec2& b) { return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)); }
 
 // Against the sum of the angles under which the edges are seen. Polygons are star-shaped and thus simple.
 TEST(Lasso, contains_the_points_that_it_winds_around) {
@@ -74,8 +72,14 @@ class LassoDrag : public testing::Test {
   }
   // Around the left sphere, under the middle one, and around the right one.
   void draw_around_both_ends(int mods = 0) {
-    draw({{-2.8, 0.8, 0}, {-1.2, 0.8, 0}, {-1.2, -0.8, 0}, {1.2, -0.8, 0}, {1.2, 0.8, 0}, {2.8, 0.8, 0},
-          {2.8, -1.2, 0}, {-2.8, -1.2, 0}},
+    draw({{-2.8, 0.8, 0},
+          {-1.2, 0.8, 0},
+          {-1.2, -0.8, 0},
+          {1.2, -0.8, 0},
+          {1.2, 0.8, 0},
+          {2.8, 0.8, 0},
+          {2.8, -1.2, 0},
+          {-2.8, -1.2, 0}},
          mods);
   }
   std::vector<bool> selected() const {

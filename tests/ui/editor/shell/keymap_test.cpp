@@ -47,8 +47,8 @@ TEST_F(Keymap, file_lists_every_action_that_can_have_a_key) {
 }
 
 TEST_F(Keymap, unlisted_actions_keep_their_keys_and_unknown_ones_are_ignored) {
-  const auto parsed =
-      parse(R"({"keymap": 1, "bindings": {"edit.undo": "Shift+Alt+U", "later.action": "X", "view.wire": "W"}})");
+  const auto parsed = parse(
+      R"({"keymap": 1, "bindings": {"edit.undo": "Shift+Alt+U", "later.action": "X", "view.wire": "W"}})");
   ASSERT_TRUE(parsed) << parsed.error().message;
   EXPECT_EQ(*parsed, (Bindings{{"edit.undo", chord_text(*parse_chord("Shift+Alt+U"))}}));
 }

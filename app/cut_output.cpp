@@ -298,8 +298,8 @@ struct PieceFile {
     }
     if (looks.any()) view.looks = &looks;
     if (part.body->looks) view.surfaces = part.body->looks->surfaces().get();
-    if (format == MeshFormat::kObj && !surfaces.library().empty()) {
-      view.mtl = surfaces.library();
+    if (format == MeshFormat::kObj && !surfaces.mtl_name().empty()) {
+      view.mtl = surfaces.mtl_name();
       view.material_names = surfaces.names(*part.body);
     }
     if (!part.source.empty()) view.name = view.object = part.source;

@@ -143,7 +143,7 @@ class PrepareRun {
     if (format == MeshFormat::kObj && options_.out != kStream) {
       const std::filesystem::path out = options_.out;
       if (const auto s = surfaces.write(out.parent_path(), out.stem().string() + ".mtl"); !s) return s;
-      view.mtl = surfaces.library();
+      view.mtl = surfaces.mtl_name();
       if (!view.mtl.empty()) view.material_names = surfaces.names(body());
     }
     const auto write_to = [&](const std::filesystem::path& file) { return write_mesh(view, file, format); };

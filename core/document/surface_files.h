@@ -26,8 +26,8 @@ class SurfaceFiles {
   // Removes the files that write() created.
   void remove() const;
 
-  // The name of the library; empty if there is none.
-  const std::string& library() const { return library_; }
+  // The name of the material library, an MTL file; empty if there is none.
+  const std::string& mtl_name() const { return library_; }
   // The names of the materials of a body, by number.
   const std::vector<std::string>& names(const Body& body) const { return names_.at(&body); }
 

@@ -182,7 +182,7 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
   const std::vector<OpenLibrary> open = open_libraries(folder, libraries, warnings);
   if (open.empty()) return nullptr;
   struct Place {
-    const OpenLibrary* library;
+    const OpenLibrary* source;
     const MtlEntry* entry;
   };
   std::map<std::string_view, Place> places;
@@ -200,7 +200,7 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
     if (found == places.end()) continue;
     for (const MtlLine& line : found->second.entry->lines) {
       MtlLine& own = material.mtl.emplace_back(line);
-      if (line.image) own.image = images.number(found->second.library->file.references[*line.image]);
+      if (line.image) own.image = images.number(found->second.source->file.references[*line.image]);
     }
     material.uv_transform = read_uv_transform(material);
   }

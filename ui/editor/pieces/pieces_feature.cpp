@@ -149,8 +149,8 @@ class PieceWriter {
         looks = looks_of(body, faces, is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth);
       if (looks.any()) view.looks = &looks;
       view.surfaces = surfaces_of(body);
-      if (view.surfaces && !writer.surfaces_.library().empty()) {
-        view.mtl = writer.surfaces_.library();
+      if (view.surfaces && !writer.surfaces_.mtl_name().empty()) {
+        view.mtl = writer.surfaces_.mtl_name();
         view.material_names = writer.surfaces_.names(body);
       }
       writer.precision_ += precision_loss(view, format);

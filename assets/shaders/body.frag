@@ -63,7 +63,7 @@ vec3 ember(float t) {
 }
 
 // A row of the table at a fraction of its width.
-vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) + 0.5) / 4.0)); }
+vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) + 0.5) / 5.0)); }
 const float kHottestOfRows = 4096.0;  // K
 const float kAmbient = 293.0;
 
@@ -98,7 +98,7 @@ vec3 mapped_colour(vec3 n, vec3 v) {
   float shade = 0.75 + 0.25 * abs(dot(n, v));
   if (face_view.z > 0.0) {
     if (number_of_face > kNoNumber) return vec3(0.055, 0.060, 0.068) * shade;
-    return scale_colour(3, (number_of_face - face_view.x) / (face_view.y - face_view.x)) * shade;
+    return scale_colour(2 + int(face_view.z), (number_of_face - face_view.x) / (face_view.y - face_view.x)) * shade;
   }
   return scale_colour(2, (temperature_of(now, at_corner.x) - kAmbient) / (body_look.w - kAmbient)) * shade;
 }

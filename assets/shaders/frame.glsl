@@ -24,6 +24,6 @@ layout(std140) uniform Frame {
   vec4 section;         // a place p is drawn where dot(section, vec4(p, 1)) >= 0: everywhere without a section plane
   vec4 body_look;       // x: most halvings of a face, y: 1 strong piece colours, 2 levels, z: backs are lit, w: K that the temperature
                         // view ends at, 0 without it
-  vec4 face_view;       // x, y: the numbers of faces with the first and the last colour; z: 1 where they are shown, w: 1 where
+  vec4 face_view;       // x, y: the numbers of faces with the first and the last colour; z: their colour scale, 1 or 2, or 0 where they are not shown, w: 1 where
                         // faces are shaded by their planes
 };

@@ -75,9 +75,7 @@ std::vector<double> distances(std::span<const Vec3> points, const Surface& surfa
   std::vector<double> found(points.size());
   const bool done = for_each_range(points.size(), kPointsARange, progress, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const Vec3 at = motion.apply(points[i]);
-      found[i] = std::sqrt(surface.tree.nearest_point(surface.mesh, at)->distance2);
-      if (closed && found[i] > 0 && winding_number(surface, at) > 0) found[i] = -found[i];
+      found[i] = signed_distance(surface, closed, motion.apply(points[i]));
     }
   });
   if (!done) found.clear();
@@ -101,6 +99,12 @@ SurfaceComparison::Signed signed_distances(std::span<const double> samples,
 }
 
 }  // namespace
+
+double signed_distance(const Surface& surface, bool closed, const Vec3& at) {
+  KERF_ASSERT(surface.mesh.live_faces() > 0);
+  const double distance = std::sqrt(surface.tree.nearest_point(surface.mesh, at)->distance2);
+  return closed && distance > 0 && winding_number(surface, at) > 0 ? -distance : distance;
+}
 
 std::vector<Vec3> sample_surface(const Mesh& mesh, size_t count) {
   KERF_ASSERT(mesh.live_faces() > 0);

@@ -210,7 +210,8 @@ void Renderer::set_up(const World& world, const CameraView& view, const ViewOpti
                      options.show.heat ? end_of_heat_scale(world) : 0};
   if (options.scalar) {
     KERF_ASSERT(options.scalar->low < options.scalar->high);
-    frame.face_view = {options.scalar->low, options.scalar->high, 1, 0};
+    const float scale = options.scalar->scale == ColourScale::kDiverging ? 2 : 1;
+    frame.face_view = {options.scalar->low, options.scalar->high, scale, 0};
   }
   frame.face_view.w = options.shading == Shading::kFlat ? 1 : 0;
   gl::fill_buffer(GL_UNIFORM_BUFFER, uniforms_, sizeof(frame), &frame, GL_STREAM_DRAW);

@@ -44,6 +44,7 @@ float local_value(const Body& body, FaceId f, const Triangle& t, FaceQuantity qu
       return static_cast<float>(
           body.heat.temperature(body.mesh, f, body.sheet.substance, body.sheet.thickness));
     case FaceQuantity::kRimDistance:
+    case FaceQuantity::kDeviation:
       break;
   }
   return kNoScalar;
@@ -105,14 +106,15 @@ constexpr double kSplitOftenest =
 constexpr float kPlotEms = 5, kStripEms = 0.45f, kGripEms = 0.38f;
 constexpr double kMinApart = 0.01;  // of the histogram, between the handles
 
-ImU32 colour_at(const ScalarRange& range, double value) {
-  const glm::vec3 c = scalar_colour((value - range.low) / (range.high - range.low));
+ImU32 colour_at(ColourScale scale, const ScalarRange& range, double value) {
+  const glm::vec3 c = scalar_colour(scale, (value - range.low) / (range.high - range.low));
   return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
 }
 
 // The plot on the screen.
 struct Frame {
   const Histogram& histogram;
+  ColourScale scale;
   ImVec2 at, size;
 
   double share_of(double value) const {
@@ -134,7 +136,7 @@ void draw_columns(const Frame& frame, const ScalarRange& range, float height, Im
     const auto tall = static_cast<float>(std::sqrt(static_cast<double>(h.bins[i]) / most)) * height;
     const float left = frame.x_of(begin), right = std::max(left + 1, frame.x_of(begin + h.width()) - 1);
     list.AddRectFilled({left, frame.at.y + height - std::max(1.0f, tall)}, {right, frame.at.y + height},
-                       colour_at(range, begin + 0.5 * h.width()));
+                       colour_at(frame.scale, range, begin + 0.5 * h.width()));
   }
 }
 
@@ -142,7 +144,8 @@ void draw_strip(const Frame& frame, const ScalarRange& range, float top, ImDrawL
   const float bottom = frame.at.y + frame.size.y;
   for (float x = frame.at.x; x < frame.at.x + frame.size.x; x += 2) {
     const float right = std::min(x + 2, frame.at.x + frame.size.x);
-    list.AddRectFilled({x, top}, {right, bottom}, colour_at(range, frame.value_at(0.5f * (x + right))));
+    list.AddRectFilled({x, top}, {right, bottom},
+                       colour_at(frame.scale, range, frame.value_at(0.5f * (x + right))));
   }
 }
 
@@ -177,8 +180,9 @@ bool drag(const Frame& frame, ScalarRange& range) {
 }  // namespace
 
 const char* name_of(FaceQuantity quantity) {
-  constexpr std::array<const char*, kFaceQuantities> kNames{"level", "longest edge", "min. angle",
-                                                            "temperature", "distance to the rim"};
+  constexpr std::array<const char*, kFaceQuantities> kNames{
+      "level",       "longest edge",        "min. angle",
+      "temperature", "distance to the rim", "distance to the reference"};
   return kNames[static_cast<size_t>(quantity)];
 }
 
@@ -188,6 +192,7 @@ std::string quantity_text(FaceQuantity quantity, double value, FileUnit unit) {
       return text_of("%.0f", value);
     case FaceQuantity::kLongestEdge:
     case FaceQuantity::kRimDistance:
+    case FaceQuantity::kDeviation:
       return value == 0 ? "0" : length_label(value, unit);
     case FaceQuantity::kMinAngle:
       return text_of("%.1f\u00b0", value);
@@ -197,10 +202,16 @@ std::string quantity_text(FaceQuantity quantity, double value, FileUnit unit) {
   return text_of("%.0f K", value);
 }
 
-FaceScalars face_scalars(const Body& body, FaceQuantity quantity, const LoadedShading* loaded) {
+FaceScalars face_scalars(const Body& body, FaceQuantity quantity, const LoadedShading* loaded,
+                         const ReferenceMesh* reference) {
   FaceScalars values(body.mesh.face_slots(), kNoScalar);
   if (quantity == FaceQuantity::kRimDistance) {
     fill_rim_distances(values, body, loaded);
+  } else if (quantity == FaceQuantity::kDeviation) {
+    if (reference == nullptr) return values;
+    fill(values, body.mesh, [&](FaceId, const Triangle& t) {
+      return static_cast<float>(reference->distance(body.placement.to_world((t[0] + t[1] + t[2]) / 3.0)));
+    });
   } else {
     fill(values, body.mesh, [&](FaceId f, const Triangle& t) { return local_value(body, f, t, quantity); });
   }
@@ -256,6 +267,16 @@ void ScalarMap::show(std::optional<FaceQuantity> quantity) {
   forget();
 }
 
+void ScalarMap::set_reference(std::shared_ptr<const ReferenceMesh> reference) {
+  reference_ = std::move(reference);
+  if (shown_ == FaceQuantity::kDeviation) forget();
+}
+
+ColourScale ScalarMap::scale() const {
+  const bool is_signed = shown_ == FaceQuantity::kDeviation && reference_ != nullptr && reference_->closed;
+  return is_signed ? ColourScale::kDiverging : ColourScale::kSequential;
+}
+
 void ScalarMap::forget() {
   values_.clear();
   old_.clear();
@@ -271,6 +292,7 @@ void ScalarMap::follow(const World& world, const Delta& delta) {
   for (const BodyDelta& body : delta.bodies) {
     if (world.contains(body.body)) old_.insert(body.body);
   }
+  if (shown_ == FaceQuantity::kDeviation) old_.insert(delta.moved.begin(), delta.moved.end());
 }
 
 void ScalarMap::follow_steps(const World& world, bool any_waits) {
@@ -309,7 +331,8 @@ void ScalarMap::renew(BodyId id, const Body& body, const LoadedShadings& loaded)
     return;
   }
   const auto found = loaded.find(body.loaded_as);
-  FaceScalars values = face_scalars(body, *shown_, found != loaded.end() ? &found->second : nullptr);
+  FaceScalars values =
+      face_scalars(body, *shown_, found != loaded.end() ? &found->second : nullptr, reference_.get());
   std::shared_ptr<const FaceScalars>& kept = values_[id];
   if (kept == nullptr || *kept != values) kept = std::make_shared<const FaceScalars>(std::move(values));
 }
@@ -334,12 +357,16 @@ void ScalarMap::fit(double share) {
   range_ = share > 0
                ? range_between(std::max(h.least, h.quantile(share)), std::min(h.most, h.quantile(1 - share)))
                : range_between(h.least, h.most);
+  if (scale() != ColourScale::kDiverging) return;
+  const double reach = std::max(std::abs(range_.low), std::abs(range_.high));
+  range_ = {-reach, reach};
 }
 
 std::shared_ptr<const ScalarField> ScalarMap::field(FileUnit unit) const {
   if (!shown_ || values_.empty() || histogram_.faces == 0) return nullptr;
   ScalarField field{
-      values_, static_cast<float>(range_.low), static_cast<float>(range_.high), name_of(*shown_), {}};
+      values_, static_cast<float>(range_.low), static_cast<float>(range_.high), name_of(*shown_), {},
+      scale()};
   if (!(field.low < field.high)) return nullptr;
   field.name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(field.name[0])));
   for (size_t i = 0; i < field.labels.size(); ++i) {
@@ -349,14 +376,14 @@ std::shared_ptr<const ScalarField> ScalarMap::field(FileUnit unit) const {
   return std::make_shared<const ScalarField>(std::move(field));
 }
 
-bool draw_histogram(const Histogram& histogram, ScalarRange& range) {
+bool draw_histogram(const Histogram& histogram, ColourScale scale, ScalarRange& range) {
   const float em = ImGui::GetFontSize(), grip = kGripEms * em;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 whole{std::max(4 * em, ImGui::GetContentRegionAvail().x), kPlotEms * em};
   ImGui::InvisibleButton("histogram", whole);
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   // The grips of handles at the ends stand out by half.
-  const Frame frame{histogram, {corner.x + grip, corner.y}, {whole.x - 2 * grip, whole.y}};
+  const Frame frame{histogram, scale, {corner.x + grip, corner.y}, {whole.x - 2 * grip, whole.y}};
   const bool changed = drag(frame, range);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float strip = kStripEms * em, height = whole.y - strip - 2;
@@ -380,26 +407,31 @@ namespace {
 constexpr const char* kScalarPanel = "scalar_map";
 constexpr double kRestShare = 10;    // computing takes a tenth of the time at most
 constexpr double kOutermost = 0.01;  // of the faces at each end, which the narrower fit leaves out
+constexpr const char* kCompareTip = "Colours the pieces by their distance from the surface of a mesh file.";
 constexpr const char* kTip = "Colours every face by a quantity, with a legend in the viewport.";
 
 const char* action_id(std::optional<FaceQuantity> quantity) {
-  constexpr std::array<const char*, kFaceQuantities> kIds{"scalar_map.level", "scalar_map.longest_edge",
-                                                          "scalar_map.min_angle", "scalar_map.temperature",
-                                                          "scalar_map.rim_distance"};
+  constexpr std::array<const char*, kFaceQuantities> kIds{
+      "scalar_map.level",       "scalar_map.longest_edge", "scalar_map.min_angle",
+      "scalar_map.temperature", "scalar_map.rim_distance", "scalar_map.deviation"};
   return quantity ? kIds.at(static_cast<size_t>(*quantity)) : "scalar_map.paint";
 }
 
 const char* label_of(std::optional<FaceQuantity> quantity) {
-  constexpr std::array<const char*, kFaceQuantities> kLabels{"Level", "Longest Edge", "Min. Angle",
-                                                             "Temperature", "Distance to Rim"};
+  constexpr std::array<const char*, kFaceQuantities> kLabels{
+      "Level", "Longest Edge", "Min. Angle", "Temperature", "Distance to Rim", "Distance to Reference"};
   return quantity ? kLabels.at(static_cast<size_t>(*quantity)) : "Paint";
 }
 
 class ScalarMapFeature : public Feature {
  public:
-  ScalarMapFeature(const DocumentSession& session, ViewState& view, Services& services,
-                   const ScreenContext& screen)
-      : session_(session), view_(view), services_(services), screen_(screen) {}
+  explicit ScalarMapFeature(Workspace& workspace)
+      : session_(workspace.session),
+        view_(workspace.view),
+        services_(workspace.services),
+        screen_(workspace.screen),
+        settings_(workspace.settings),
+        message_(workspace.message) {}
 
   std::vector<PanelPart> panel_parts() override {
     return {{kScalarPanel, [this] { draw(); }}};
@@ -407,15 +439,27 @@ class ScalarMapFeature : public Feature {
   std::vector<UserAction> actions() override {
     std::vector<UserAction> actions{action(std::nullopt)};
     for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
+    actions.push_back(make_action("scalar_map.compare", "Compare with File…", "", kCompareTip,
+                                  [this] { select_reference(); }));
     return actions;
   }
   void on_world_changed(const Delta& delta) override { map_.follow(session_.world(), delta); }
   void on_document_opened() override {
     map_.forget();
     view_.look.scalar.reset();
+    loader_.cancel();
+    if (map_.shown() == FaceQuantity::kDeviation) map_.show(std::nullopt);
+    map_.set_reference(nullptr);
+  }
+  bool cancel() override {
+    if (!loader_.busy()) return false;
+    loader_.cancel();
+    message_.info("The comparison was cancelled.");
+    return true;
   }
   // Ends when another colouring of faces is switched on.
   void after_queue(double) override {
+    if (auto loaded = loader_.take()) on_loaded(*loaded);
     if (!map_.shown()) return;
     const ShowOptions& others = view_.look.show;
     if (others.pieces || others.sizes || others.heat) return show(std::nullopt);
@@ -424,7 +468,7 @@ class ScalarMapFeature : public Feature {
     if (map_.is_old()) update_map();
     if (unit_ != view_.frame.unit) hand_over();
   }
-  bool needs_redraw() const override { return map_.is_old(); }
+  bool needs_redraw() const override { return map_.is_old() || loader_.busy(); }
   void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& all = report["scalar_map"];
     all["quantity"] = nullptr;
@@ -434,11 +478,15 @@ class ScalarMapFeature : public Feature {
     all["low"] = map_.range().low;
     all["high"] = map_.range().high;
     all["fits"] = map_.fits();
+    if (map_.shown() != FaceQuantity::kDeviation) return;
+    const SurfaceComparison& found = map_.reference()->found;
+    all["reference"] = {{"max", found.max}, {"mean", found.mean}, {"p95", found.p95}};
   }
 
  private:
-  // Switches off the other colourings of faces.
+  // Switches off the other colourings of faces. Asks for a file if a reference is needed and none is loaded.
   void show(std::optional<FaceQuantity> quantity) {
+    if (quantity == FaceQuantity::kDeviation && map_.reference() == nullptr) return select_reference();
     ShowOptions& others = view_.look.show;
     if (quantity) others.pieces = others.sizes = others.heat = false;
     map_.show(quantity);
@@ -465,8 +513,40 @@ class ScalarMapFeature : public Feature {
     view_.look.scalar = map_.field(unit_);
     view_.picture_old = true;
   }
+  void select_reference() {
+    browse(services_.browser,
+           {.title = "Compare with File",
+            .verb = "Compare",
+            .hint = "Filter, or paste a full path",
+            .take =
+                [this](const std::filesystem::path& file) {
+                  load_reference_from(file);
+                  return "";
+                }},
+           settings_.folder, "");
+    services_.browser.kind = FileKind::kMeshes;
+  }
+  // Values of a file without a unit are in that of the open document.
+  void load_reference_from(const std::filesystem::path& file) {
+    ReferenceRequest request{file, {}, alignment_};
+    if (!session_.scene.bodies.empty()) request.reading.unit = session_.scene.bodies.front().unit;
+    loader_.begin(session_.world(), std::move(request));
+    services_.panels.show(kScalarPanel);
+  }
+  void on_loaded(const Result<std::shared_ptr<const ReferenceMesh>>& loaded) {
+    if (!loaded) return message_.error(loaded.error().message);
+    const SurfaceComparison& found = (*loaded)->found;
+    const auto length = [this](double d) {
+      return quantity_text(FaceQuantity::kDeviation, d, view_.frame.unit);
+    };
+    map_.set_reference(*loaded);
+    show(FaceQuantity::kDeviation);
+    message_.info("Distance from " + (*loaded)->file.filename().string() + ": at most " + length(found.max) +
+                  ", 95 % within " + length(found.p95));
+  }
   void draw() {
     draw_choice();
+    draw_comparison();
     if (!map_.shown()) return;
     if (map_.histogram().faces == 0 && map_.is_old()) return;
     if (map_.histogram().faces == 0)
@@ -485,9 +565,32 @@ class ScalarMapFeature : public Feature {
       show(choice > 0 ? std::optional(static_cast<FaceQuantity>(choice - 1)) : std::nullopt);
     end_properties();
   }
+  void draw_comparison() {
+    if (loader_.busy()) {
+      secondary_text("Comparing with " + loader_.file().filename().string() +
+                     text_of(": %.0f %%", 99 * loader_.fraction()));
+      return;
+    }
+    if (map_.shown() != FaceQuantity::kDeviation || !begin_properties("reference")) return;
+    const ReferenceMesh& reference = *map_.reference();
+    const auto row = [this](const char* name, double length, const char* meaning) {
+      figure_row(name, quantity_text(FaceQuantity::kDeviation, length, view_.frame.unit), meaning);
+    };
+    figure_row("Reference", reference.file.filename().string(), "The mesh file of the comparison.");
+    if (choice_row("Align", "##align", alignment_, "As Placed\0Centroids\0Best Fit\0", "align reference",
+                   "Motion of the visible pieces before distances are measured; nothing in the scene moves."))
+      load_reference_from(reference.file);
+    row("Maximum", reference.found.max, "Largest distance of the pieces visible when compared.");
+    row("95 % Within", reference.found.p95, "Distance that 95 % of their area does not exceed.");
+    row("Mean", reference.found.mean, "Mean distance over their area.");
+    end_properties();
+    if (ImGui::Button("Compare with File…")) select_reference();
+    mark_last_item("compare with file");
+    tooltip(kCompareTip);
+  }
   void draw_range() {
     ScalarRange range = map_.range();
-    bool changed = draw_histogram(map_.histogram(), range);
+    bool changed = draw_histogram(map_.histogram(), map_.scale(), range);
     if (begin_properties("range")) {
       changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
       changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
@@ -509,6 +612,7 @@ class ScalarMapFeature : public Feature {
     switch (*map_.shown()) {
       case FaceQuantity::kLongestEdge:
       case FaceQuantity::kRimDistance:
+      case FaceQuantity::kDeviation:
         return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
       case FaceQuantity::kMinAngle:
         return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
@@ -533,7 +637,11 @@ class ScalarMapFeature : public Feature {
   ViewState& view_;
   Services& services_;
   const ScreenContext& screen_;
+  const Settings& settings_;
+  Message& message_;
   ScalarMap map_;
+  ReferenceLoader loader_;
+  Alignment alignment_ = Alignment::kNone;
   NumberFields fields_;
   FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
   double next_ = 0;                   // s of the clock, before which no values are computed
@@ -542,8 +650,7 @@ class ScalarMapFeature : public Feature {
 }  // namespace
 
 std::unique_ptr<Feature> scalar_map_feature(Workspace& workspace) {
-  return std::make_unique<ScalarMapFeature>(workspace.session, workspace.view, workspace.services,
-                                            workspace.screen);
+  return std::make_unique<ScalarMapFeature>(workspace);
 }
 
 }  // namespace kerf

@@ -12,6 +12,7 @@
 #include "core/mesh/files/mesh_format.h"
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
+#include "ui/editor/inspect/reference_mesh.h"
 #include "ui/render/bodies/base_faces.h"
 #include "ui/render/view/view_options.h"
 
@@ -24,8 +25,9 @@ enum class FaceQuantity {
   kMinAngle,     // degrees; 0 for a face without area
   kTemperature,  // K
   kRimDistance,  // m, of its nearest corner from the nearest rim of a cut; none far from all rims
+  kDeviation,    // m, of its centroid from the reference mesh, negative inside; none without a reference
 };
-inline constexpr size_t kFaceQuantities = 5;
+inline constexpr size_t kFaceQuantities = 6;
 
 // Returns the displayed name: "level", "distance to the rim".
 const char* name_of(FaceQuantity quantity);
@@ -34,8 +36,9 @@ std::string quantity_text(FaceQuantity quantity, double value, FileUnit unit);
 
 // Computes the values of all faces of a body. `loaded` has the sides of faces that were open when the body
 // was loaded; without it, all sides that no other face shares are rims. O(faces); for kRimDistance O(n log
-// n) in the faces near rims.
-FaceScalars face_scalars(const Body& body, FaceQuantity quantity, const LoadedShading* loaded);
+// n) in the faces near rims, and O(n log n) for kDeviation, multithreaded. `reference` may be null.
+FaceScalars face_scalars(const Body& body, FaceQuantity quantity, const LoadedShading* loaded,
+                         const ReferenceMesh* reference = nullptr);
 
 // Counts of faces by value: bin i holds those from `from + i * width()` on, the last one also `to`.
 struct Histogram {
@@ -63,11 +66,11 @@ using ScalarLists = std::span<const std::shared_ptr<const FaceScalars>>;
 // there are no more values than bins. Precondition: bins > 0.
 Histogram histogram_of(ScalarLists lists, size_t bins, bool whole);
 
-// Draws a histogram over the width of the panel, in the colours of the viewport, with a handle for each end
+// Draws a histogram over the width of the panel, in the colours of a scale, with a handle for each end
 // of the range, which the mouse drags; they stay a hundredth of the histogram apart. The heights of columns
 // are square roots of counts, so that small counts are visible. Landmarks: "scalar low" and "scalar high".
 // Returns true if the range was changed.
-bool draw_histogram(const Histogram& histogram, ScalarRange& range);
+bool draw_histogram(const Histogram& histogram, ColourScale scale, ScalarRange& range);
 
 // The quantity that colours the faces, its values, and the range of the colours. While nothing is shown it
 // holds no values and costs nothing.
@@ -76,6 +79,10 @@ class ScalarMap {
   std::optional<FaceQuantity> shown() const { return shown_; }
   // Shows a quantity, or nothing, with a fitted range.
   void show(std::optional<FaceQuantity> quantity);
+
+  // Sets the mesh for kDeviation; null for none.
+  void set_reference(std::shared_ptr<const ReferenceMesh> reference);
+  const ReferenceMesh* reference() const { return reference_.get(); }
 
   // Records changes since update().
   void follow(const World& world, const Delta& delta);
@@ -95,8 +102,11 @@ class ScalarMap {
   const ScalarRange& range() const { return range_; }
   // Fixes the range. Precondition: low < high.
   void set_range(const ScalarRange& range);
-  // Fits the range to the values, without this share of the faces at each end. Precondition: share < 0.5.
+  // Fits the range to the values, without this share of the faces at each end; that of signed distances is
+  // symmetric. Precondition: share < 0.5.
   void fit(double share);
+  // Returns the scale of the quantity: the diverging one for distances with a sign.
+  ColourScale scale() const;
   // Returns true if the range follows the values.
   bool fits() const { return fit_.has_value(); }
 
@@ -114,6 +124,7 @@ class ScalarMap {
   void take_histogram();
 
   std::optional<FaceQuantity> shown_;
+  std::shared_ptr<const ReferenceMesh> reference_;
   std::map<BodyId, std::shared_ptr<const FaceScalars>> values_;
   std::set<BodyId> old_;
   // Faces are unchanged while these are equal and no step is executed.

@@ -181,7 +181,7 @@ Legend legend_of_scalars(const ScalarField& field) {
   Legend legend{field.name, {}};
   for (size_t i = field.labels.size(); i-- > 0;) {
     const double t = static_cast<double>(i) / static_cast<double>(field.labels.size() - 1);
-    legend.rows.push_back({hex_of(scalar_colour(t)), field.labels[i]});
+    legend.rows.push_back({hex_of(scalar_colour(field.scale, t)), field.labels[i]});
   }
   return legend;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include "core/base/assert.h"
@@ -92,14 +93,19 @@ HeatRamps::HeatRamps() {
   std::vector<glm::vec4> rows;
   for (int i = 0; i < kSteps; ++i) rows.emplace_back(shown_glow((i + 0.5) * kHottest / kSteps), 0);
   for (int i = 0; i < kSteps; ++i) rows.push_back(tint_of((i + 0.5) * kHottest / kSteps));
-  for (const auto colour : {linear_heat_colour, linear_scalar_colour}) {
+  using Scale = std::function<glm::dvec3(double)>;
+  const auto scalars = [](ColourScale scale) {
+    return Scale([scale](double t) { return linear_scalar_colour(scale, t); });
+  };
+  for (const Scale& colour :
+       {Scale(linear_heat_colour), scalars(ColourScale::kSequential), scalars(ColourScale::kDiverging)}) {
     for (int i = 0; i < kSteps; ++i) {
       const glm::dvec3 c = colour(static_cast<double>(i) / (kSteps - 1));
       rows.emplace_back(before_filmic(c.r), before_filmic(c.g), before_filmic(c.b), 0);
     }
   }
   glBindTexture(GL_TEXTURE_2D, table_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSteps, 4, 0, GL_RGBA, GL_FLOAT, rows.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, kSteps, 5, 0, GL_RGBA, GL_FLOAT, rows.data());
   for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     glTexParameteri(GL_TEXTURE_2D, axis, GL_CLAMP_TO_EDGE);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})

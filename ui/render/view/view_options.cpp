@@ -346,14 +346,23 @@ Result<SectionPlane> parse_section(std::string_view text) {
 }
 
 // Cold colours, not to be mistaken for heat; lightness rises while the hue turns.
-glm::dvec3 linear_scalar_colour(double t) {
-  const auto path = [](double s) {
-    return oklab_of(0.27 + 0.66 * s, 0.07 + 0.03 * std::sin(kPi * s), 305 - 197 * s);
-  };
-  return linear_along(path, t);
+static glm::dvec3 sequential_oklab(double s) {
+  return oklab_of(0.27 + 0.66 * s, 0.07 + 0.03 * std::sin(kPi * s), 305 - 197 * s);
 }
 
-glm::vec3 scalar_colour(double t) { return glm::vec3(screen_from_linear(linear_scalar_colour(t))); }
+// Two hues that red-green blindness does not confuse; lightness peaks at the middle.
+static glm::dvec3 diverging_oklab(double s) {
+  const double from_middle = std::abs(2 * s - 1);
+  return oklab_of(0.93 - 0.48 * from_middle, 0.14 * from_middle, s < 0.5 ? 255 : 50);
+}
+
+glm::dvec3 linear_scalar_colour(ColourScale scale, double t) {
+  return linear_along(scale == ColourScale::kDiverging ? diverging_oklab : sequential_oklab, t);
+}
+
+glm::vec3 scalar_colour(ColourScale scale, double t) {
+  return glm::vec3(screen_from_linear(linear_scalar_colour(scale, t)));
+}
 
 std::vector<BoxLine> select_boxes(std::span<const BoxLine> boxes, const glm::mat4& clip_from_body,
                                   size_t most) {

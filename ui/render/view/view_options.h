@@ -77,19 +77,24 @@ using FaceScalars = std::vector<float>;
 // The value of faces without a number; slots behind the last one have none either.
 inline constexpr float kNoScalar = std::numeric_limits<float>::max();
 
-// A scalar field on the faces, which replaces the paints of bodies: numbers from `low` to `high` map to
-// scalar_colour(), those beyond are clamped, and faces without a number are grey.
+// The colours of a scale, t = 0 .. 1, of which equal steps look equally large.
+enum class ColourScale {
+  kSequential,  // from dark violet over blue and green to pale yellow
+  kDiverging,   // from blue over light grey, at the middle, to orange
+};
+// Returns a colour of a scale: in linear light, or in sRGB.
+glm::dvec3 linear_scalar_colour(ColourScale scale, double t);
+glm::vec3 scalar_colour(ColourScale scale, double t);
+
+// A scalar field on the faces, which replaces the paints of bodies: numbers from `low` to `high` map to the
+// colours of the scale, those beyond are clamped, and faces without a number are grey.
 struct ScalarField {
   std::map<BodyId, std::shared_ptr<const FaceScalars>> of_bodies;  // not null
   float low = 0, high = 1;                                         // low < high
   std::string name;                                                // with the unit, for the legend
   std::array<std::string, 5> labels;  // of numbers evenly spaced from `low` to `high`
+  ColourScale scale = ColourScale::kSequential;
 };
-
-// A colour of the scale, t = 0 .. 1, from dark violet over blue and green to pale yellow: linear light, or
-// sRGB. Equal steps of t look equally large.
-glm::dvec3 linear_scalar_colour(double t);
-glm::vec3 scalar_colour(double t);
 
 // A box of the AABB tree to draw: its corners in the body's float frame; `style` holds 1 if the beam has
 // hit it, and its opacity.

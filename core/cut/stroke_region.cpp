@@ -244,41 +244,75 @@ Vec3 StrokeRegion::crossing(FaceId near, const Vec3& inside, const Vec3& outside
 SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMove> moves) {
   KERF_ASSERT(region.parts() == moves.size() && !moves.empty());
   for (size_t i = 0; i < region.parts(); ++i) parts_.push_back(region.part(i));
-  nodes_.push_back({0, moves.size(), {}, {}});
+  nodes_.push_back({0, moves.size(), {}, {}, {}});
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     bound(i, moves);
     const auto [first, end] = std::pair(nodes_[i].first, nodes_[i].end);
     if (end - first <= kMaxOfLeaf) continue;
     nodes_[i].halves = static_cast<uint32_t>(nodes_.size());
     const size_t middle = first + (end - first) / 2;
-    nodes_.push_back({first, middle, {}, {}});
-    nodes_.push_back({middle, end, {}, {}});
+    nodes_.push_back({first, middle, {}, {}, {}});
+    nodes_.push_back({middle, end, {}, {}, {}});
   }
 }
 
 void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
   Node& n = nodes_[node];
-  const Pose& middle = moves[n.first + (n.end - n.first) / 2].from;
-  n.origin = middle.origin;
-  n.direction = middle.direction;
-  for (const BeamMove& m : moves.subspan(n.first, n.end - n.first)) {
-    for (const Pose* pose : {&m.from, &m.to}) {
-      n.aside = std::max(n.aside, glm::length(pose->origin - n.origin));
-      n.apart = std::max(n.apart, glm::length(pose->direction - n.direction));
+  const auto own = moves.subspan(n.first, n.end - n.first);
+  n.middle = own[own.size() / 2].from;
+  n.from = own.front().from;
+  n.to = own.back().to;
+  const auto for_each_pose = [&](const auto& visit) {
+    for (const BeamMove& m : own) {
+      visit(m.from);
+      visit(m.to);
     }
-  }
+  };
+  for_each_pose([&](const Pose& pose) {
+    const Vec3 moved = pose.origin - n.middle.origin;
+    n.aside = std::max(n.aside, glm::length(moved));
+    n.shift = std::max(n.shift, std::abs(glm::dot(moved, n.middle.direction)));
+    n.apart = std::max(n.apart, glm::length(pose.direction - n.middle.direction));
+  });
+  // Displacement and turn count alike in the search for the nearest pose on the straight way.
+  const double metres = n.apart > 0 ? n.aside / n.apart : 0;
+  const Vec3 way = n.to.origin - n.from.origin, turn = metres * (n.to.direction - n.from.direction);
+  const double length2 = glm::dot(way, way) + glm::dot(turn, turn);
+  for_each_pose([&](const Pose& pose) {
+    const Vec3 moved = pose.origin - n.from.origin, turned = metres * (pose.direction - n.from.direction);
+    const double along = glm::dot(moved, way) + glm::dot(turned, turn);
+    const double share = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+    n.bulge = std::max(n.bulge, glm::length(moved - share * way));
+    n.bend =
+        std::max(n.bend, glm::length(pose.direction - glm::mix(n.from.direction, n.to.direction, share)));
+  });
 }
 
-// Returns a lower bound of the distances from the parts of a node.
-double SweptDistance::at_least(const Node& node, const Vec3& p) const {
-  constexpr double kRounding = 1e-9;  // relative; parts of a tilting beam also err by the angle squared
-  const Vec3 from = p - node.origin;
+// At the depth of the point along the middle direction, the points of all axes are near the segment between
+// those of the first and the last axis. The vector w from such a point to p is nearly perpendicular to the
+// axis: its component along the axis is at most e = |w| apart + shift + |depth| apart^2 / 2, so that p is at
+// least sqrt(|w|^2 - e^2) from the axis. This increases with |w| wherever it is real.
+SweptDistance::Estimate SweptDistance::estimate(const Node& node, const Vec3& p) const {
+  constexpr double kRounding = 1e-9;  // relative
+  // The volume of a tilting part also errs by the angle squared: its corners move on straight lines, and its
+  // distances are measured across a single direction.
+  constexpr double kTilt = 4;
+  const Vec3 from = p - node.middle.origin;
   const SweptCylinder& part = parts_[node.first];  // all have its radius and range
-  const double away = glm::length(from), depth = glm::dot(from, node.direction);
-  const double beside = glm::length(from - depth * node.direction) - part.radius();
+  const double away = glm::length(from), depth = glm::dot(from, node.middle.direction);
   const double beyond = std::max(depth - part.range().high, part.range().low - depth);
-  const double aside = node.aside + node.apart * (1 + node.apart) * (away + node.aside);
-  return std::max(beside, beyond) - aside - kRounding * (away + node.aside);
+  const Vec3 first = node.from.origin + depth * node.from.direction - p;
+  const Vec3 way = node.to.origin + depth * node.to.direction - p - first;
+  const double length2 = glm::dot(way, way);
+  const double share = length2 > 0 ? std::clamp(-glm::dot(first, way) / length2, 0.0, 1.0) : 0;
+  const double reach =
+      std::max(0.0, glm::length(first + share * way) - node.bulge - std::abs(depth) * node.bend);
+  const double slope = reach * node.apart + node.shift + 0.5 * std::abs(depth) * node.apart * node.apart;
+  const double beside = std::sqrt(std::max(0.0, (reach - slope) * (reach + slope)));
+  const double drift = node.aside + node.apart * (away + node.aside);
+  const double error = (kRounding + kTilt * node.apart * node.apart) * (away + node.aside);
+  return {std::max(beside - part.radius(), beyond - drift) - error,
+          std::max(glm::length(from - depth * node.middle.direction) - part.radius(), beyond)};
 }
 
 double SweptDistance::operator()(const Vec3& p) const {
@@ -298,12 +332,11 @@ double SweptDistance::operator()(const Vec3& p) const {
       for (size_t i = node.first; i < node.end; ++i) least = std::min(least, parts_[i].signed_distance(p));
       continue;
     }
-    Visit nearer{at_least(nodes_[node.halves], p), node.halves};
-    Visit farther{at_least(nodes_[node.halves + 1], p), node.halves + 1};
-    if (farther.at_least < nearer.at_least) std::swap(nearer, farther);
     KERF_ASSERT(waiting + 2 <= kDeepest);
-    stack[waiting++] = farther;
-    stack[waiting++] = nearer;
+    const Estimate one = estimate(nodes_[node.halves], p), other = estimate(nodes_[node.halves + 1], p);
+    stack[waiting++] = {one.at_least, node.halves};
+    stack[waiting++] = {other.at_least, node.halves + 1};
+    if (one.from_middle < other.from_middle) std::swap(stack[waiting - 2], stack[waiting - 1]);
   }
   return least;
 }

@@ -86,16 +86,22 @@ class SweptDistance {
   double operator()(const Vec3& p) const;
 
  private:
-  // Parts first .. end - 1. `origin` and `direction` are those of a pose in the middle. The origins of the
-  // other poses differ from it by at most `aside` metres, and their unit directions by at most `apart`.
+  // Parts first .. end - 1. `middle` is a pose in the middle. The origins of the other poses differ from its
+  // origin by at most `aside` metres, along its direction by at most `shift`, and their unit directions from
+  // its direction by at most `apart`. On the straight way between the first and the last pose there is for
+  // each pose one whose origin differs by at most `bulge` metres and whose direction by at most `bend`.
   struct Node {
     size_t first, end;
-    Vec3 origin, direction;
-    double aside = 0, apart = 0;
+    Pose middle, from, to;
+    double aside = 0, shift = 0, apart = 0, bulge = 0, bend = 0;
     uint32_t halves = 0;  // index of the first child, followed by the second; 0: a leaf
   };
   void bound(uint32_t node, std::span<const BeamMove> moves);
-  double at_least(const Node& node, const Vec3& p) const;
+  // A lower bound of the distances from the parts of a node, and the distance from its middle pose (m).
+  struct Estimate {
+    double at_least, from_middle;
+  };
+  Estimate estimate(const Node& node, const Vec3& p) const;
 
   std::vector<SweptCylinder> parts_;
   std::vector<Node> nodes_;  // root first

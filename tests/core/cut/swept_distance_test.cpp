@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/runs.h"
 
@@ -28,11 +29,30 @@ std::vector<BeamMove> wandering_moves(Random& random, bool from_apex) {
   return moves;
 }
 
+// A beam that turns about an axis, a part of a turn or more than one, and may advance along it.
+std::vector<BeamMove> turning_moves(Random& random) {
+  const Vec3 axis = glm::normalize(Vec3(random.uniform(-1, 1), 2, random.uniform(-1, 1)));
+  const Vec3 right = glm::normalize(glm::cross(axis, Vec3(1, 0, 0))), up = glm::cross(axis, right);
+  const double away = random.uniform(4, 8), offset = random.uniform(-2, 2), slope = random.uniform(-0.2, 0.2);
+  const uint64_t count = 1 + random.below(400);
+  const double turn = random.uniform(0.5, 7) / static_cast<double>(count);
+  const auto pose = [&](uint64_t i) {
+    const double angle = turn * static_cast<double>(i);
+    const auto [sin, cos] = sin_cos(angle);
+    const Vec3 out = cos * right + sin * up, aside = cos * up - sin * right;
+    return Pose{away * out + offset * aside + slope * angle * axis, -out};
+  };
+  std::vector<BeamMove> moves;
+  for (uint64_t i = 0; i < count; ++i) moves.push_back({pose(i), pose(i + 1)});
+  return moves;
+}
+
 TEST(SweptDistance, is_the_minimum_over_all_parts) {
-  for (uint64_t seed = 1; seed <= runs(200); ++seed) {
+  for (uint64_t seed = 1; seed <= runs(300); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const std::vector<BeamMove> moves = wandering_moves(random, seed % 2 == 0);
+    const std::vector<BeamMove> moves =
+        seed % 3 == 2 ? turning_moves(random) : wandering_moves(random, seed % 3 == 0);
     StrokeRegion region;
     for (const BeamMove& m : moves) region.add(SweptCylinder(m.from, m.to, 0.05, {0.5, 9}));
     const SweptDistance distance(region, moves);

@@ -10,13 +10,16 @@
 #include "core/base/assert.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
+#include "ui/editor/inspect/rim_circle.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/window/layout.h"
+#include "ui/window/theme.h"
 #include "ui/window/widgets.h"
 
 namespace kerf {
@@ -26,6 +29,9 @@ namespace {
 constexpr const char* kName = "name";
 constexpr const char* kFrom = "from";
 constexpr const char* kTo = "to";
+constexpr const char* kCircle = "circle";
+constexpr const char* kNormal = "normal";
+constexpr const char* kDeviation = "deviation";
 
 constexpr const char* kNothingToUndo = "No measurement edit to undo.";
 constexpr const char* kNothingToRedo = "No measurement edit to redo.";
@@ -42,13 +48,24 @@ std::optional<Vec3> point_of(const nlohmann::json& json) {
   return point;
 }
 
+std::optional<RulerMark::Circle> circle_of(const nlohmann::json& json) {
+  if (!json.is_object()) return std::nullopt;
+  const auto normal = point_of(json.value(kNormal, nlohmann::json()));
+  const nlohmann::json deviation = json.value(kDeviation, nlohmann::json());
+  if (!normal || !(glm::length(*normal) > 0) || !deviation.is_number()) return std::nullopt;
+  return RulerMark::Circle{glm::normalize(*normal), deviation.get<double>()};
+}
+
 std::optional<RulerMark> mark_of(const nlohmann::json& json) {
   if (!json.is_object()) return std::nullopt;
   const nlohmann::json name = json.value(kName, nlohmann::json());
   const auto from = point_of(json.value(kFrom, nlohmann::json()));
   const auto to = point_of(json.value(kTo, nlohmann::json()));
   if (!name.is_string() || !from || !to) return std::nullopt;
-  return RulerMark{name.get<std::string>(), *from, *to};
+  RulerMark mark{name.get<std::string>(), *from, *to};
+  if (!json.contains(kCircle)) return mark;
+  mark.circle = circle_of(json[kCircle]);
+  return mark.circle ? std::optional(mark) : std::nullopt;
 }
 
 // Returns the text in quotes, with inner quotes doubled.
@@ -68,6 +85,12 @@ constexpr const char* kRulerPanel = "ruler";
 constexpr const char* kRulerKey = "rulers";  // in the head of a document
 constexpr double kReachOfEnd = 8;            // screen coordinates
 
+constexpr int kCirclePoints = 96;
+
+// The measurement that clicks add.
+enum class RulerKind { kDistance, kRimRadius };
+constexpr const char* kRulerKinds[] = {"Distance", "Rim Radius"};
+
 struct EndOfMark {
   size_t mark = 0;
   bool to = false;
@@ -80,11 +103,20 @@ class RulerFeature : public Feature {
   std::vector<PanelPart> panel_parts() override {
     return {{kRulerPanel, [this] { draw_panel(); }}};
   }
+  std::vector<ToolOption> tool_options() override {
+    return {
+        {"ruler.kind", 7, [this] {
+           if (marked_choice_row("Add", "##ruler kind", kind_, kRulerKinds, "ruler kind",
+                                 "Distance takes two clicks; Rim Radius fits a circle to the clicked rim."))
+             first_.reset();
+         }}};
+  }
   std::vector<UserAction> actions() override {
-    const UserAction take = tool_action(workspace_, kRulerTool, "Ruler", "",
-                                        "Click two points to add a measurement, which can be named, moved, "
-                                        "saved and exported.",
-                                        true);
+    const UserAction take =
+        tool_action(workspace_, kRulerTool, "Ruler", "",
+                    "Click two points, or a rim, to add a measurement that is saved with the "
+                    "document and can be exported.",
+                    true);
     const auto action = [](const char* id, const char* name, const char* tip, std::function<void()> run,
                            std::function<const char*()> disabled_reason) {
       return make_action(id, name, "", tip, std::move(run), {.disabled_reason = std::move(disabled_reason)});
@@ -98,8 +130,7 @@ class RulerFeature : public Feature {
                 [this] { step(false); }, [this] { return list_.can_redo() ? nullptr : kNothingToRedo; }),
             action(
                 "ruler.export", "Export Measurements...",
-                "Writes the end points and lengths of all measurements to a table (.csv).",
-                [this] { select_file_to_export(); },
+                "Writes all measurements to a table (.csv) or as JSON.", [this] { select_file_to_export(); },
                 [this] { return list_.marks().empty() ? kNoMeasurements : nullptr; })};
   }
 
@@ -110,7 +141,9 @@ class RulerFeature : public Feature {
   }
   bool clear_selection() override { return std::exchange(first_, std::nullopt).has_value(); }
   const char* status_hint() const override {
-    return is_active() ? "Ruler: click two points to add a measurement; drag its ends" : nullptr;
+    if (!is_active()) return nullptr;
+    return kind_ == RulerKind::kRimRadius ? "Ruler: click the rim of a hole or a cut"
+                                          : "Ruler: click two points to add a measurement; drag its ends";
   }
 
   void on_document_opened() override {
@@ -123,8 +156,8 @@ class RulerFeature : public Feature {
   void draw_overlay(ImDrawList& list) override {
     if (!shown()) return;
     for (const RulerMark& m : list_.marks()) {
-      draw_distance(workspace_.view, m.from, m.to,
-                    m.name + ": " + length_label(m.length(), workspace_.view.frame.unit), list);
+      if (m.circle) draw_circle(m, list);
+      draw_distance(workspace_.view, m.from, m.to, m.name + ": " + value_text(m), list);
     }
     if (first_ && is_active()) draw_measured_point(workspace_.view, *first_, list);
   }
@@ -171,6 +204,7 @@ class RulerFeature : public Feature {
   std::optional<EndOfMark> end_under_pointer() const {
     const PrimaryViewport picture(workspace_.view);
     for (size_t i = 0; i < list_.marks().size(); ++i) {
+      if (list_.marks()[i].circle) continue;
       for (const bool to : {false, true}) {
         const auto place = picture.place_of(to ? list_.marks()[i].to : list_.marks()[i].from);
         if (place && glm::length(*place - workspace_.input.pointer) < kReachOfEnd) return EndOfMark{i, to};
@@ -178,8 +212,46 @@ class RulerFeature : public Feature {
     }
     return std::nullopt;
   }
+  std::string value_text(const RulerMark& mark) const {
+    return length_label(mark.length(), workspace_.view.frame.unit);
+  }
+  void draw_circle(const RulerMark& mark, ImDrawList& list) const {
+    const PrimaryViewport viewport(workspace_.view);
+    const Vec3 u = mark.to - mark.from, v = glm::cross(mark.circle->normal, u);
+    std::vector<ImVec2> places;
+    for (int i = 0; i < kCirclePoints; ++i) {
+      const double angle = 2 * kPi * i / kCirclePoints;
+      const auto place = viewport.place_of(mark.from + std::cos(angle) * u + std::sin(angle) * v);
+      if (!place) return;
+      places.push_back(to_im(*place));
+    }
+    list.AddPolyline(places.data(), kCirclePoints, IM_COL32(10, 12, 16, 190), ImDrawFlags_Closed, 4);
+    list.AddPolyline(places.data(), kCirclePoints, colours::kPictureText, ImDrawFlags_Closed, 1.5f);
+  }
+  // Fits a circle to the rim at the pointer.
+  void measure_rim() {
+    const Vec2 pointer = workspace_.input.pointer;
+    const auto rim = rim_at(workspace_.world(), workspace_.view, pointer);
+    if (!rim) return workspace_.message.error("No rim under the pointer: click an open edge of a surface.");
+    const auto circle = fit_circle(*rim);
+    if (!circle) return workspace_.message.error("The rim encloses no area, so no circle fits it.");
+    const PrimaryViewport viewport(workspace_.view);
+    const Vec3 clicked = viewport.at_depth_of(circle->centre, pointer) - circle->centre;
+    const Vec3 across = clicked - glm::dot(clicked, circle->normal) * circle->normal;
+    const Vec3 towards = glm::length(across) > 0 ? across : rim->front() - circle->centre;
+    list_.begin_edit();
+    list_.add(circle->centre, circle->centre + circle->radius * glm::normalize(towards),
+              RulerMark::Circle{circle->normal, circle->deviation});
+    keep();
+    const RulerMark& mark = list_.marks().back();
+    const FileUnit unit = workspace_.view.frame.unit;
+    workspace_.message.info(mark.name + ": " + value_text(mark) + ", diameter " +
+                            length_label(2 * circle->radius, unit) + "; the rim deviates by up to " +
+                            length_label(circle->deviation, unit));
+  }
   // Measures from the last click, or begins a distance.
   void measure() {
+    if (kind_ == RulerKind::kRimRadius) return measure_rim();
     const auto surface = point_under_pointer(workspace_);
     if (!surface) return workspace_.message.error("No surface under the pointer.");
     if (!first_) {
@@ -190,7 +262,7 @@ class RulerFeature : public Feature {
     list_.add(*std::exchange(first_, std::nullopt), *surface);
     keep();
     const RulerMark& mark = list_.marks().back();
-    workspace_.message.info(mark.name + ": " + length_label(mark.length(), workspace_.view.frame.unit));
+    workspace_.message.info(mark.name + ": " + value_text(mark));
   }
   void step(bool back) {
     if (back) {
@@ -203,7 +275,8 @@ class RulerFeature : public Feature {
   }
 
   void draw_panel() {
-    if (list_.marks().empty()) ImGui::TextWrapped("Click two points on surfaces with the Ruler tool.");
+    if (list_.marks().empty())
+      ImGui::TextWrapped("Click two points on surfaces, or a rim, with the Ruler tool.");
     if (!list_.marks().empty() && ImGui::BeginTable("distances", 3, ImGuiTableFlags_RowBg)) {
       const float em = ImGui::GetFontSize();
       ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
@@ -221,7 +294,7 @@ class RulerFeature : public Feature {
       step(false);
     ImGui::SameLine();
     if (row_button("Export", 3, list_.marks().empty() ? kNoMeasurements : nullptr,
-                   "Writes the measurements to a table (.csv)."))
+                   "Writes the measurements to a table (.csv) or as JSON."))
       select_file_to_export();
   }
   void draw_row(size_t mark) {
@@ -239,7 +312,13 @@ class RulerFeature : public Feature {
     }
     mark_last_item("ruler name", static_cast<int>(mark));
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(length_label(list_.marks()[mark].length(), workspace_.view.frame.unit).c_str());
+    ImGui::TextUnformatted(value_text(list_.marks()[mark]).c_str());
+    if (const auto& circle = list_.marks()[mark].circle) {
+      const FileUnit unit = workspace_.view.frame.unit;
+      tooltip(("Radius of the circle fitted to a rim, which deviates from it by up to " +
+               length_label(circle->deviation, unit) + ".")
+                  .c_str());
+    }
     ImGui::TableNextColumn();
     const bool removed = ImGui::SmallButton("Remove");
     mark_last_item("ruler remove", static_cast<int>(mark));
@@ -274,14 +353,16 @@ class RulerFeature : public Feature {
     browse(workspace_.services.browser,
            {.title = "Export Measurements",
             .verb = "Export",
-            .hint = "File name (.csv)",
-            .endings = {".csv"},
+            .hint = "File name (.csv or .json)",
+            .endings = {".csv", ".json"},
             .take = [this](const std::filesystem::path& file) { return export_to(file); },
             .inputs = [this] { return inputs_of(workspace_.session); }},
            workspace_.settings.folder, "distances.csv");
   }
   std::string export_to(const std::filesystem::path& file) {
-    const Status written = write_file_atomically(file, list_.to_csv());
+    const bool json = file.extension() == ".json";
+    const Status written =
+        write_file_atomically(file, json ? list_.to_json().dump(2) + "\n" : list_.to_csv());
     if (!written) return written.error().message;
     workspace_.message.info("Exported: " + file.string());
     return "";
@@ -289,6 +370,7 @@ class RulerFeature : public Feature {
 
   Workspace& workspace_;
   RulerList list_;
+  RulerKind kind_ = RulerKind::kDistance;
   std::optional<Vec3> first_;      // m, the clicked end of a distance that lacks the other
   std::optional<size_t> renamed_;  // the mark whose name is being edited
   bool take_focus_ = false;        // the field of the name is new
@@ -303,17 +385,18 @@ void RulerList::begin_edit() {
   redone_to_.clear();
 }
 
-void RulerList::add(const Vec3& from, const Vec3& to) {
+void RulerList::add(const Vec3& from, const Vec3& to, const std::optional<RulerMark::Circle>& circle) {
+  const std::string kind = circle ? "Radius " : "Distance ";
   const auto has = [&](const std::string& name) {
     return std::any_of(marks_.begin(), marks_.end(), [&](const RulerMark& m) { return m.name == name; });
   };
   size_t number = marks_.size() + 1;
-  while (has("Distance " + std::to_string(number))) ++number;
-  marks_.push_back({"Distance " + std::to_string(number), from, to});
+  while (has(kind + std::to_string(number))) ++number;
+  marks_.push_back({kind + std::to_string(number), from, to, circle});
 }
 
 void RulerList::move(size_t mark, bool to_end, const Vec3& at) {
-  KERF_ASSERT(mark < marks_.size());
+  KERF_ASSERT(mark < marks_.size() && !marks_[mark].circle);
   (to_end ? marks_[mark].to : marks_[mark].from) = at;
 }
 
@@ -343,8 +426,11 @@ nlohmann::json RulerList::to_json() const {
   if (marks_.empty()) return nullptr;
   nlohmann::json all = nlohmann::json::array();
   for (const RulerMark& m : marks_) {
-    all.push_back(
-        {{kName, m.name}, {kFrom, {m.from.x, m.from.y, m.from.z}}, {kTo, {m.to.x, m.to.y, m.to.z}}});
+    nlohmann::json& entry = all.emplace_back(nlohmann::json::object());
+    entry = {{kName, m.name}, {kFrom, {m.from.x, m.from.y, m.from.z}}, {kTo, {m.to.x, m.to.y, m.to.z}}};
+    if (!m.circle) continue;
+    const Vec3& normal = m.circle->normal;
+    entry[kCircle] = {{kNormal, {normal.x, normal.y, normal.z}}, {kDeviation, m.circle->deviation}};
   }
   return all;
 }
@@ -358,11 +444,12 @@ void RulerList::read(const nlohmann::json& entry) {
 }
 
 std::string RulerList::to_csv() const {
-  std::string text = "name,from x,from y,from z,to x,to y,to z,length\n";
+  std::string text = "name,from x,from y,from z,to x,to y,to z,length,kind,deviation\n";
   for (const RulerMark& m : marks_) {
     text += quoted(m.name);
     for (const double number : {m.from.x, m.from.y, m.from.z, m.to.x, m.to.y, m.to.z, m.length()})
       text += csv_number(number);
+    text += m.circle ? ",radius" + csv_number(m.circle->deviation) : ",distance,";
     text += '\n';
   }
   return text;

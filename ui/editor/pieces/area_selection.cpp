@@ -4,9 +4,11 @@
 #include <imgui.h>
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "core/base/assert.h"
+#include "core/base/random.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/window/theme.h"
@@ -143,6 +145,91 @@ void draw_lasso(const std::vector<Vec2>& points, ImDrawList& list) {
   draw_dashes(points.back(), points.front(), colours::accent(), list);
 }
 
+constexpr double kReachOfCut = 1.2;      // widths of the widest cut
+constexpr double kTouchingShare = 1e-6;  // of the diagonal of the world
+constexpr size_t kMaxPointsOfEdge = 64;
+
+// The width of what a stroke removes, including faces that the rim does not cut exactly [m].
+double width_of_cut(const CutSettings& settings) {
+  const Resolution& resolution = settings.resolution;
+  double rough = 0;
+  if (resolution.rim == Rim::kFaces) {
+    rough = resolution.rule == Resolution::Rule::kTargetEdge  ? resolution.target_edge
+            : resolution.rule == Resolution::Rule::kTolerance ? resolution.tolerance
+                                                              : settings.laser.radius;
+  }
+  return 2 * (settings.laser.radius + rough);
+}
+
+// Points in cubic cells, to find those near a place.
+class PointGrid {
+ public:
+  explicit PointGrid(double cell) : cell_(cell) {}
+  void add(const Vec3& point) { points_.push_back({key_of(cell_of(point)), point}); }
+  // Called after all points were added.
+  void sort() {
+    std::sort(points_.begin(), points_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  }
+  // Returns true if a point lies within the size of a cell from this place.
+  bool has_near(const Vec3& at) const {
+    const Cell middle = cell_of(at);
+    for (int i = 0; i < 27; ++i) {
+      const Cell cell{middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1};
+      const auto found = std::ranges::equal_range(points_, key_of(cell), {}, &Entry::key);
+      for (const Entry& entry : found) {
+        if (glm::length(entry.point - at) <= cell_) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Cell = std::array<int64_t, 3>;
+  struct Entry {
+    uint64_t key;  // of a cell; several cells may share one
+    Vec3 point;
+  };
+  Cell cell_of(const Vec3& p) const {
+    const auto along = [&](double x) { return static_cast<int64_t>(std::floor(x / cell_)); };
+    return {along(p.x), along(p.y), along(p.z)};
+  }
+  static uint64_t key_of(const Cell& cell) {
+    uint64_t key = 0;
+    for (const int64_t i : cell) key = hash_combine(key, static_cast<uint64_t>(i));
+    return key;
+  }
+
+  double cell_;
+  std::vector<Entry> points_;
+};
+
+// Calls `use(label, point)` with points on the rims of a body in world space, at most `spacing` [m] apart.
+template <typename Use>
+void for_each_rim_point(const Body& body, double spacing, const Use& use) {
+  std::vector<Mesh::Side> sides;
+  body.mesh.append_open_sides(sides);
+  for (uint32_t f = 0; body.solid && f < body.mesh.face_slots(); ++f) {
+    const FaceId face(f);
+    if (!body.mesh.is_live(face) || !body.walls.contain(body.mesh, face)) continue;
+    const std::array<VertexId, 3> corners = body.mesh.corners(face);
+    for (size_t i = 0; i < 3; ++i) sides.push_back({face, corners[i], corners[(i + 1) % 3]});
+  }
+  for (const Mesh::Side& side : sides) {
+    const Vec3 from = body.placement.to_world(body.mesh.position(side.from));
+    const Vec3 to = body.placement.to_world(body.mesh.position(side.to));
+    const double wanted = std::ceil(glm::length(to - from) / spacing);
+    const auto count = static_cast<size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMaxPointsOfEdge)));
+    for (size_t i = 0; i <= count; ++i)
+      use(body.mesh.data(side.face).piece,
+          from + (to - from) * (static_cast<double>(i) / static_cast<double>(count)));
+  }
+}
+
+std::set<PieceId> selected_set(const PieceMap& looks) {
+  const std::vector<PieceId> ids = selected_ids(looks);
+  return {ids.begin(), ids.end()};
+}
+
 class PressOnPieces : public Interaction {
  public:
   PressOnPieces(Workspace& workspace, SelectionShape shape)
@@ -247,6 +334,56 @@ std::vector<PieceId> pieces_in(const Lasso& lasso, const World& world, const Vie
   return pieces_that(world, look, view, false, [&](const Corners& corners) {
     return std::all_of(corners.begin(), corners.end(), [&](const Vec2& c) { return lasso.contains(c); });
   });
+}
+
+double neighbour_reach(const Document& document) {
+  const UndoStack& history = document.history();
+  double width = 0;
+  for (size_t step = 0; step < history.position(); ++step) {
+    if (history.cuts(step)) width = std::max(width, width_of_cut(history.settings_of(step)));
+  }
+  const double touching = kTouchingShare * document.world().loaded_bounds().diagonal();
+  return std::max({kReachOfCut * width, touching, std::numeric_limits<double>::min()});
+}
+
+std::set<PieceId> neighbours_of(const std::set<PieceId>& pieces, const World& world, double reach,
+                                const PieceMap& looks) {
+  KERF_ASSERT(reach > 0);
+  PointGrid grid(reach);
+  const auto is_hidden = [&](const PieceId& id) {
+    const auto look = looks.find(id);
+    return look != looks.end() && look->second.hidden;
+  };
+  for (const BodyId id : world.ids()) {
+    for_each_rim_point(world.body(id), 0.5 * reach, [&](uint32_t label, const Vec3& point) {
+      if (pieces.contains({id, label})) grid.add(point);
+    });
+  }
+  grid.sort();
+  std::set<PieceId> found;
+  for (const BodyId id : world.ids()) {
+    if (world.body(id).hidden) continue;
+    for_each_rim_point(world.body(id), 0.5 * reach, [&](uint32_t label, const Vec3& point) {
+      const PieceId piece{id, label};
+      if (pieces.contains(piece) || found.contains(piece) || is_hidden(piece)) return;
+      if (grid.has_near(point)) found.insert(piece);
+    });
+  }
+  return found;
+}
+
+void grow_selection(const Document& document, PieceMap& looks) {
+  const std::set<PieceId> selected = selected_set(looks);
+  for (const PieceId& id : neighbours_of(selected, document.world(), neighbour_reach(document), looks))
+    looks[id].selected = true;
+}
+
+void shrink_selection(const Document& document, PieceMap& looks) {
+  const World& world = document.world();
+  const std::vector<PieceId> others = other_pieces(world, looks);
+  for (const PieceId& id :
+       neighbours_of({others.begin(), others.end()}, world, neighbour_reach(document), looks))
+    looks[id].selected = false;
 }
 
 std::unique_ptr<Interaction> press_on_pieces(Workspace& workspace, SelectionShape shape) {

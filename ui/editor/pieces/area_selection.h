@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <vector>
 
+#include "core/document/document.h"
 #include "core/world/world.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
@@ -47,6 +49,22 @@ std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const
                                const CameraView& view);
 std::vector<PieceId> pieces_in(const Lasso& lasso, const World& world, const ViewOptions& look,
                                const CameraView& view);
+
+// Returns the distance [m, > 0] within which the rims of two pieces count as neighbours: somewhat more than
+// the width of the widest cut in the history, so that pieces which a cut parted are neighbours while they lie
+// in place. Without cuts, pieces are neighbours only if their rims touch. O(steps).
+double neighbour_reach(const Document& document);
+
+// Returns the visible pieces outside a set with a rim within `reach` [m, > 0] of a rim of the set. A rim is
+// an edge with one face, or of a wall. Method: points on the rims of the set, half a reach apart, in a grid;
+// an edge has at most 64, so that rims more than 32 reaches long may be missed between vertices.
+// O(n log n) in the edges.
+std::set<PieceId> neighbours_of(const std::set<PieceId>& pieces, const World& world, double reach,
+                                const PieceMap& looks);
+
+// Add all neighbours to the selection, and remove the pieces with a visible neighbour that is not selected.
+void grow_selection(const Document& document, PieceMap& looks);
+void shrink_selection(const Document& document, PieceMap& looks);
 
 enum class SelectionShape { kBox, kLasso };
 

@@ -250,6 +250,7 @@ class PiecesFeature : public Feature {
 
   void on_world_changed(const Delta& delta) override {
     isolation_.follow();
+    measures_.on_world_changed();
     for (PieceId& piece : copied_) piece = named_after(delta, piece);
   }
   void on_document_opened() override {
@@ -257,6 +258,7 @@ class PiecesFeature : public Feature {
     workspace_.view.numbers = PieceNumbers();
     workspace_.view.spread = 0;
     copied_.clear();
+    measures_.on_world_changed();
     isolation_.forget();
     list_.forget_rename();
   }
@@ -307,6 +309,20 @@ class PiecesFeature : public Feature {
         make_action("pieces.select_material", "Select Same Material", "",
                     "Selects all pieces that share a material with a selected one.",
                     [this] { select_same_material(); }, {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.grow", "Grow Selection", "",
+                    "Adds the pieces whose rims lie across a cut from a selected piece, or touch it.",
+                    [this] {
+                      grow_selection(workspace_.session.document, workspace_.view.look.pieces);
+                      workspace_.view.picture_old = true;
+                    },
+                    {.disabled_reason = no_emitter_reason}),
+        make_action("pieces.shrink", "Shrink Selection", "",
+                    "Deselects the pieces next to one that is not selected.",
+                    [this] {
+                      shrink_selection(workspace_.session.document, workspace_.view.look.pieces);
+                      workspace_.view.picture_old = true;
+                    },
+                    {.disabled_reason = no_emitter_reason}),
         make_action("pieces.lasso", "Lasso Selection", "",
                     "A drag that selects pieces draws a closed line around them instead of a box.",
                     [this] {
@@ -402,6 +418,8 @@ class PiecesFeature : public Feature {
     list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
                [this] { request_hide(); });
     draw_buttons();
+    draw_measures(measures_.follow(workspace_.world(), workspace_.view.look.pieces),
+                  workspace_.view.frame.unit);
   }
   void draw_buttons() {
     const char* no_emitter_reason =
@@ -543,6 +561,7 @@ class PiecesFeature : public Feature {
 
   Workspace& workspace_;
   PiecesList list_;
+  SelectionMeasures measures_;
   Isolation isolation_{workspace_};
   PieceExport export_{workspace_};
   SelectionShape shape_ = SelectionShape::kBox;

@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/cut_effects.h"
+#include "core/mesh/measures.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/user_input.h"
@@ -399,6 +400,40 @@ void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
   set_up_columns(rows, workspace.view.frame.unit);
   draw_rows(workspace, sorted, hide_selected);
   ImGui::EndTable();
+}
+
+PieceMeasures measure_pieces(const World& world, const std::vector<PieceId>& pieces) {
+  PieceMeasures measures{.pieces = pieces.size(), .volume = 0.0};
+  for (const PieceId& id : pieces) {
+    const Mesh& mesh = world.body(id.body).mesh;
+    std::vector<FaceId> faces;
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (mesh.is_live(FaceId(f)) && mesh.data(FaceId(f)).piece == id.label) faces.emplace_back(f);
+    }
+    for (const FaceId face : faces) measures.area += triangle_area(mesh.triangle(face));
+    const Vec3 origin = faces.empty() ? Vec3(0) : mesh.triangle(faces.front())[0];
+    const EnclosedVolume enclosed = enclosed_volume(mesh, faces, origin);
+    if (!enclosed.closed) measures.volume.reset();
+    if (measures.volume) *measures.volume += enclosed.volume;
+  }
+  return measures;
+}
+
+const PieceMeasures& SelectionMeasures::follow(const World& world, const PieceMap& looks) {
+  std::vector<PieceId> pieces = selected_ids(looks);
+  if (!measured_ || pieces != pieces_) {
+    pieces_ = std::move(pieces);
+    measured_ = measure_pieces(world, pieces_);
+  }
+  return *measured_;
+}
+
+void draw_measures(const PieceMeasures& measures, FileUnit unit) {
+  if (measures.pieces == 0) return;
+  secondary_text(count_text(measures.pieces, "piece") + ": area " + area_label(measures.area, unit) + ", " +
+                 (measures.volume ? "volume " + volume_label(*measures.volume, unit) : "open"));
+  mark_last_item("selection measures");
+  tooltip("Area and volume of the selected pieces. A piece with an open edge encloses no volume.");
 }
 
 }  // namespace kerf

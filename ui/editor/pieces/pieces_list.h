@@ -85,4 +85,28 @@ class PiecesList {
   std::array<char, 128> new_name_{};  // as edited so far
 };
 
+// The area of pieces, and the volume that they enclose.
+struct PieceMeasures {
+  size_t pieces = 0;
+  double area = 0;               // m^2, in world units, of one side of each face
+  std::optional<double> volume;  // m^3; nullopt if a piece is not closed
+};
+// Measures pieces that exist. O(faces of their bodies).
+PieceMeasures measure_pieces(const World& world, const std::vector<PieceId>& pieces);
+
+// The measures of the selected pieces, computed when the selection or the world has changed.
+class SelectionMeasures {
+ public:
+  void on_world_changed() { measured_.reset(); }
+  // Precondition: the looks are those of pieces that exist.
+  const PieceMeasures& follow(const World& world, const PieceMap& looks);
+
+ private:
+  std::vector<PieceId> pieces_;
+  std::optional<PieceMeasures> measured_;  // of these pieces
+};
+
+// Draws a line with the measures of the selected pieces.
+void draw_measures(const PieceMeasures& measures, FileUnit unit);
+
 }  // namespace kerf

@@ -98,6 +98,14 @@ std::string area_label(double area, FileUnit unit) {
   return text.data();
 }
 
+std::string volume_label(double volume, FileUnit unit) {
+  const double metres = metres_per_unit(unit);
+  if (unit == FileUnit::kInch) return text_of("%.4g in\u00b3", volume);
+  const double cubic = volume * metres * metres * metres;
+  const LengthUnit shown = unit_for(std::cbrt(std::abs(cubic)));
+  return text_of("%.4g ", cubic / (shown.metres * shown.metres * shown.metres)) + shown.name + "\u00b3";
+}
+
 std::string step_words(const UndoStack& history, size_t step, FileUnit unit) {
   KERF_ASSERT(step < history.size());
   const HistoryStep& of = history.step(step);

@@ -40,6 +40,8 @@ void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState&
 
 // Formats an area in file units, like length_label: "2.75 cm^2".
 std::string area_label(double area, FileUnit unit);
+// Formats a volume of file units likewise: "2.75 cm^3".
+std::string volume_label(double volume, FileUnit unit);
 // Formats the extents of a box in file units, each in the same metric unit: "68 x 75 x 16 mm".
 std::string extents_label(const Vec3& size, FileUnit unit);
 

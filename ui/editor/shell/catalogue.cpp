@@ -53,7 +53,7 @@ const std::vector<MenuLayout> kMenus{
      {"edit.undo", "edit.redo", kLine,
       "pieces.copy", "pieces.paste", "pieces.duplicate", "pieces.delete", kLine,
       ">Select", "pieces.select_all", "pieces.invert", "pieces.select_body", "pieces.select_material",
-      "pieces.select_similar", "pieces.lasso", kLine,
+      "pieces.select_similar", "pieces.grow", "pieces.shrink", "pieces.lasso", kLine,
       "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename", kLine,
       "pieces.move", "pieces.rotate"}},
     {"Tool",

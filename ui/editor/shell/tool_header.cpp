@@ -21,9 +21,10 @@ const std::vector<HeaderLayout> kHeaders{
       {"path.clear", "Clear"}}},
     {kPickTool,
      {{"pieces.shape"}, {"pieces.select_body", "Connected"}, {"pieces.select_material", "Material"},
-      {"pieces.select_similar", "Similar Area"}, {"pieces.invert", "Invert"}}},
+      {"pieces.select_similar", "Similar Area"}, {"pieces.grow", "Grow"}, {"pieces.shrink", "Shrink"},
+      {"pieces.invert", "Invert"}}},
     {kInspectTool, {{"measure.kind"}}},
-    {kRulerTool, {{"ruler.undo", "Undo"}, {"ruler.redo", "Redo"}, {"ruler.export", "Export..."}}},
+    {kRulerTool, {{"ruler.kind"}, {"ruler.undo", "Undo"}, {"ruler.redo", "Redo"}, {"ruler.export", "Export..."}}},
 };
 // clang-format on
 

@@ -6,6 +6,7 @@
 
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
+#include "ui/editor/inspect/rim_circle.h"
 #include "ui/editor/shared/viewport.h"
 #include "ui/editor/shell/editor_screen.h"
 
@@ -57,6 +58,25 @@ TEST(RulerFeature, two_clicks_add_a_measurement_to_the_document_and_cut_nothing)
   EXPECT_EQ(bench.workspace.session.document.history().totals().strokes, 0u);
   bench.run("ruler.undo");
   EXPECT_TRUE(bench.kept().is_null());
+}
+
+// A tube of radius 0.5 along Y, seen from above at an angle: its upper rim is an ellipse.
+TEST(RulerFeature, the_rim_at_a_place_is_the_visible_one) {
+  RulerBench bench;
+  World world;
+  world.add(make_body("tube", test::build(test::tube(4, 48, 0.5, 2))));
+  bench.workspace.session.document = Document(std::move(world));
+  bench.workspace.view.camera.look({0, 4, 3}, {0, 0, 0});
+  bench.workspace.view.camera.finish();
+  const Bounds bounds = bench.workspace.world().loaded_bounds();
+  const Vec3 front(0, bounds.max.y, 0.5);
+  EXPECT_FALSE(rim_at(bench.workspace.world(), bench.workspace.view, bench.seen({0, 0, 0.5})));
+  const auto rim = rim_at(bench.workspace.world(), bench.workspace.view, bench.seen(front) + Vec2(3, 3));
+  ASSERT_TRUE(rim);
+  const auto circle = fit_circle(*rim);
+  ASSERT_TRUE(circle);
+  EXPECT_NEAR(circle->radius, 0.5, 1e-9);
+  EXPECT_NEAR(circle->centre.y, bounds.max.y, 1e-9);
 }
 
 TEST(RulerFeature, dragging_an_end_moves_it_in_one_undo_entry) {

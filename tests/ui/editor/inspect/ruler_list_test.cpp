@@ -59,6 +59,21 @@ TEST(RulerList, round_trips_through_a_document) {
   EXPECT_TRUE(RulerList().to_json().is_null());
 }
 
+TEST(RulerList, keeps_and_exports_the_circles_of_radii) {
+  RulerList list;
+  list.begin_edit();
+  list.add({1, 2, 3}, {1, 2, 5}, RulerMark::Circle{{0, 1, 0}, 0.25});
+  EXPECT_EQ(list.marks()[0].name, "Radius 1");
+  RulerList read;
+  read.read(list.to_json());
+  EXPECT_EQ(read.marks(), list.marks());
+  EXPECT_NE(list.to_csv().find("\"Radius 1\",1,2,3,1,2,5,2,radius,0.25\n"), std::string::npos);
+  nlohmann::json entry = list.to_json();
+  entry[0]["circle"]["normal"] = {0, 0, 0};
+  read.read(entry);
+  EXPECT_TRUE(read.marks().empty());
+}
+
 TEST(RulerList, skips_invalid_entries) {
   RulerList list;
   list.read(nlohmann::json::parse(
@@ -74,9 +89,9 @@ TEST(RulerList, exports_a_table_with_quoted_names) {
   list.begin_edit();
   list.rename(1, "a \"b\", c");
   EXPECT_EQ(list.to_csv(),
-            "name,from x,from y,from z,to x,to y,to z,length\n"
-            "\"Distance 1\",0,0,0,3,4,0,5\n"
-            "\"a \"\"b\"\", c\",1,0,0,1,0,2,2\n");
+            "name,from x,from y,from z,to x,to y,to z,length,kind,deviation\n"
+            "\"Distance 1\",0,0,0,3,4,0,5,distance,\n"
+            "\"a \"\"b\"\", c\",1,0,0,1,0,2,2,distance,\n");
 }
 
 }  // namespace

@@ -130,7 +130,10 @@ class Path(WindowTest):
         editor = self.open_path(PLATE)
         editor.press("o")
         editor.click(0.5, 0.5)
+        self.assertNotIn("hole preview", editor.landmarks()["parts"])
         editor.click("Holes header", 0.3, 0.5)
+        _, _, width, height = editor.part("hole preview")
+        self.assertGreater(width, height)  # of three rows of four
         editor.click("add holes", 0.5, 0.5)
         editor.do("ctrl", "Return")
         editor.do("ctrl", "z")

@@ -15,6 +15,7 @@
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/window/layout.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
@@ -25,6 +26,8 @@ namespace {
 
 constexpr double kWholeTurn = 6.283185307179586;
 
+constexpr size_t kMaxProjectedHoles = 400;
+constexpr int kOutlinePoints = 40;
 constexpr int kMinKeys = 12, kMaxKeys = 360;  // of a hole
 constexpr double kSagitta = 1.0 / 16;         // max. distance of a chord from its circle, in beam radii
 
@@ -216,6 +219,7 @@ class PathFeature : public Feature {
     const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
     list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
+    panel_.draw_hole_preview(path_, workspace_.world(), workspace_.view, list);
     draw_path(path_, workspace_.world(), picture, list);
     list.PopClipRect();
   }
@@ -417,6 +421,28 @@ std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& bea
   return strokes;
 }
 
+std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,
+                                       const World& world, const ViewOptions& look) {
+  KERF_ASSERT(pattern.hole_radius > 0 && distance > 0);
+  const Plane plane = plane_across(beam.direction);
+  const std::vector<Vec3> all = middles(pattern, plane);
+  std::vector<HoleOutline> outlines;
+  for (const Vec3& middle : all) {
+    const Pose ray{beam.origin + middle, beam.direction};
+    HoleOutline outline;
+    const auto surface = all.size() <= kMaxProjectedHoles ? surface_point(world, look, ray) : std::nullopt;
+    outline.hits = surface.has_value() || all.size() > kMaxProjectedHoles;
+    const Vec3 centre = surface ? surface->at : ray.origin + distance * ray.direction;
+    for (int i = 0; i < kOutlinePoints; ++i) {
+      const double angle = kWholeTurn * i / kOutlinePoints;
+      outline.points.push_back(
+          centre + plane.at(pattern.hole_radius * std::cos(angle), pattern.hole_radius * std::sin(angle)));
+    }
+    outlines.push_back(std::move(outline));
+  }
+  return outlines;
+}
+
 void HoleForm::draw_grid(FileUnit unit) {
   number_row(fields_, "Rows", pattern_.rows, "Number of rows of holes.");
   number_row(fields_, "Columns", pattern_.columns, "Number of holes in each row.");
@@ -448,7 +474,32 @@ void HoleForm::add_holes(PathWork& path, const World& world, double radius, doub
   path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
 }
 
+void HoleForm::draw_preview(const PathWork& path, const World& world, const ViewState& view,
+                            ImDrawList& list) {
+  if (!std::exchange(drawn_, false) || !path.selected()) return;
+  const PathPoint point = *path.selected();
+  const PrimaryViewport viewport(view);
+  Vec2 low(INFINITY), high(-INFINITY);
+  for (const HoleOutline& outline :
+       hole_outlines(pattern_, path.pose(point), path.distance(point), world, view.look)) {
+    std::vector<ImVec2> places;
+    for (const Vec3& p : outline.points) {
+      const auto place = viewport.place_of(p);
+      if (!place) break;
+      places.push_back(to_im(*place));
+      low = glm::min(low, *place);
+      high = glm::max(high, *place);
+    }
+    if (places.size() < outline.points.size()) continue;
+    list.AddPolyline(places.data(), kOutlinePoints, IM_COL32(10, 12, 16, 170), ImDrawFlags_Closed, 3.5f);
+    list.AddPolyline(places.data(), kOutlinePoints,
+                     outline.hits ? colours::accent() : colours::kPictureSecondary, ImDrawFlags_Closed, 1.5f);
+  }
+  if (low.x <= high.x) mark_area("hole preview", {low, high - low});
+}
+
 void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
+  drawn_ = true;
   fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
   choice_row("Pattern", "##kind", pattern_.kind, "Grid\0Circle\0", "hole pattern", nullptr);

@@ -29,6 +29,19 @@ struct HolePattern {
 // direction is a result of beam_direction().
 std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius);
 
+// The outline of a hole before it is added [m, world space]: a circle across the beam, at the depth of the
+// first visible surface under its centre.
+struct HoleOutline {
+  std::vector<Vec3> points;
+  bool hits = true;  // false: there is no surface under the centre, and the circle is at the depth of the
+                     // beam's target
+};
+// Returns an outline per stroke of hole_strokes(). `distance` [m, > 0]: of the target from the origin of the
+// beam. More than 400 holes are all at the depth of the target, for speed. Preconditions: those of
+// hole_strokes().
+std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,
+                                       const World& world, const ViewOptions& look);
+
 // Rows of the Path panel that add a grid or circle of holes around the selected point.
 class HoleForm {
  public:
@@ -36,6 +49,8 @@ class HoleForm {
   // values from the size of the world until they are typed, and are reset in a world of a very different
   // size.
   void draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit);
+  // Draws the outlines of the holes around the selected point if the rows were drawn in the last frame.
+  void draw_preview(const PathWork& path, const World& world, const ViewState& view, ImDrawList& list);
 
  private:
   void draw_grid(FileUnit unit);
@@ -46,6 +61,7 @@ class HoleForm {
   HolePattern pattern_;
   NumberFields fields_;
   double fitted_to_ = 0;  // diagonal [m] that the lengths were set from
+  bool drawn_ = false;    // in the last frame
 };
 
 // Actions of the panel that are not edits of the path.
@@ -60,6 +76,9 @@ class PathPanel {
   // --path. `beam`: of new points. `run_disabled_reason`: the reason why the path cannot be run, or null.
   void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
             const PathTool::Beam& beam, const char* run_disabled_reason, const PathActions& requests);
+  void draw_hole_preview(const PathWork& path, const World& world, const ViewState& view, ImDrawList& list) {
+    holes_.draw_preview(path, world, view, list);
+  }
   // Draw single rows. Precondition of the first: the path has points.
   void draw_speed(PathWork& path, FileUnit unit);
   void draw_resolution(bool& at_panel_resolution);

@@ -73,5 +73,26 @@ TEST(HolePattern, strokes_are_closed_and_centred_across_the_beam) {
   }
 }
 
+// Three holes across a plate of 1 m in y = 0; the outer ones lie beyond its edge.
+TEST(HoleOutlines, are_circles_on_the_surface_or_at_the_depth_of_the_target) {
+  World world;
+  world.add(make_body("plate", test::build(test::grid(30, 1))));
+  HolePattern grid;
+  grid.rows = 1, grid.columns = 3, grid.spacing = 0.7, grid.hole_radius = 0.06;
+  const std::vector<HoleOutline> outlines = hole_outlines(grid, kDown, 0.5, world, {});
+  ASSERT_EQ(outlines.size(), hole_strokes(grid, kDown, 0.01).size());
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(outlines[i].hits, i == 1);
+    Vec3 middle(0);
+    for (const Vec3& p : outlines[i].points) middle += p / static_cast<double>(outlines[i].points.size());
+    EXPECT_NEAR(middle.y, i == 1 ? 0 : 0.2 - 0.5, 1e-12);
+    EXPECT_NEAR(glm::length(middle - Vec3(0.03, middle.y, -0.02)), i == 1 ? 0 : 0.7, 1e-12);
+    for (const Vec3& p : outlines[i].points) {
+      EXPECT_NEAR(glm::length(p - middle), 0.06, 1e-12);
+      EXPECT_NEAR(p.y, middle.y, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -10,8 +10,9 @@ namespace kerf {
 namespace {
 constexpr size_t kPixelsOfFrame = 6000;
 
-constexpr double kSamplesCost = 4;    // maximum slowdown by several samples
-constexpr double kMaxGathered = 0.4;  // s; maximum duration of an accumulated frame
+constexpr double kSamplesCost = 4;                     // maximum slowdown by several samples
+constexpr double kMaxGathered = 0.4;                   // s; maximum duration of an accumulated frame
+constexpr double kBetweenParts = 0.2, kPartShare = 4;  // s, and durations of a part, between parts of a scene
 
 Target target_of(const Area& area, const Window& window) {
   const Area pixels = pixels_of(area, window);
@@ -96,8 +97,10 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
                              const Window& window, ShadowStatistics& statistics) {
   if (!second_) second = nullptr;
   const Target target = target_of(first.area, window);
-  if (first_.renderer.is_sending()) {
-    if (!show_again(first_, target)) clear(target);
+  const bool was_sending = std::exchange(sends_, first_.renderer.is_sending());
+  if (sends_) {
+    if (!was_sending) next_part_ = 0;
+    if (!draw_part(first, window) && !show_again(first_, target)) clear(target);
     return false;
   }
   rest_.follow(change, window.clock().seconds());
@@ -120,6 +123,17 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
                redrawn && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), statistics);
   dead_beam_ = beam_shown_ && !first.beam;
   return redrawn || more;
+}
+
+// Draws the faces of a new scene that are uploaded so far, if it is time to. Without shadows, which need all.
+bool LivePicture::draw_part(const Shot& first, const Window& window) {
+  const double began = window.clock().seconds();
+  if (!draft_ || !window.draws() || began < next_part_) return false;
+  redraw(first, nullptr, window);
+  shows_draft_ = false;
+  const double ended = window.clock().seconds();
+  next_part_ = ended + std::max(kBetweenParts, kPartShare * (ended - began));
+  return true;
 }
 
 // Returns true if the change is accumulated into the static frame.

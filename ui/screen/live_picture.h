@@ -79,7 +79,8 @@ struct Shot {
 //
 // While the view moves, disables antialiasing if it is too slow. A static view accumulates samples over
 // several frames (see GatheredPicture), unless that would take seconds; heat changes update the accumulated
-// image. A new scene appears once its faces are uploaded.
+// image. A large new scene appears at once, as a draft of the faces that are uploaded so far, so that no
+// earlier scene stands under its counts.
 class LivePicture {
  public:
   // Fails if a shader is missing or does not compile.
@@ -140,6 +141,7 @@ class LivePicture {
   }
   bool draw_shots(const Shot& first, const Shot* second, PictureChange change, const Window& window,
                   ShadowStatistics& statistics);
+  bool draw_part(const Shot& first, const Window& window);
   bool pass_over(const Shot& first, PictureChange change);
   std::optional<size_t> differing_pixels(const Shot& shot) const;
   void redraw(const Shot& first, const Shot* second, const Window& window);
@@ -152,6 +154,8 @@ class LivePicture {
   bool beam_shown_ = false;   // in the last frame
   bool passed_over_ = false;  // lacks changes of frames that were not drawn
   bool draft_ = false, shows_draft_ = false;
+  bool sends_ = false;    // faces were left to upload in the last frame
+  double next_part_ = 0;  // s of the clock, of the next draft during the upload
   bool dead_beam_ = false;
   bool warm_ = false;
   Quality quality_ = Quality::kFinished;

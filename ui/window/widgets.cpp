@@ -386,6 +386,10 @@ bool up_axis_combo(UpAxis& up) {
   return changed;
 }
 
+std::string progress_text(double fraction) {
+  return fraction > 0 ? text_of("%.0f %%", std::floor(std::min(99.0, 100 * fraction))) : "";
+}
+
 bool draw_progress(const Area& picture, const std::string& title, double fraction, bool can_stop) {
   const float em = ImGui::GetFontSize();
   bool stopped = false;
@@ -397,8 +401,8 @@ bool draw_progress(const Area& picture, const std::string& title, double fractio
     ImGui::TextUnformatted(title.c_str());
     const float button = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float beside = can_stop ? button + ImGui::GetStyle().ItemSpacing.x : 0;
-    const char* text = fraction > 0 ? nullptr : "";  // null: the percentage
-    ImGui::ProgressBar(static_cast<float>(fraction), {-std::max(beside, FLT_MIN), 0}, text);
+    const std::string text = progress_text(fraction);
+    ImGui::ProgressBar(static_cast<float>(fraction), {-std::max(beside, FLT_MIN), 0}, text.c_str());
     if (can_stop) {
       ImGui::SameLine();
       stopped = ImGui::Button("Cancel");

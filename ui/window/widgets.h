@@ -72,8 +72,8 @@ struct Slider {
 };
 
 // Draws a slider as wide as the next item. The value is shown at the left of the track, shortened to fit;
-// the tooltip then has it in full. The track is the last item. Typed values are limited to the range, with a message. Returns true if the
-// value changed. A non-empty `text` replaces the shown number.
+// the tooltip then has it in full. The track is the last item. Typed values are limited to the range, with a
+// message. Returns true if the value changed. A non-empty `text` replaces the shown number.
 bool real_slider(const Slider& slider, double& value, double low, double high, const RealFormat& format,
                  const NumberUnit& unit = {}, const std::string& text = "");
 bool whole_slider(const Slider& slider, int& value, int low, int high, const std::string& text,
@@ -93,6 +93,9 @@ bool row_button(const char* label, int shares, const char* disabled_reason, cons
 // on a change.
 bool unit_combo(FileUnit& unit);
 bool up_axis_combo(UpAxis& up);
+
+// Formats the progress of work that goes on, rounded down: "40 %", at most "99 %"; empty if it has not begun.
+std::string progress_text(double fraction);
 
 // Draws a progress bar over the lower edge of the viewport: title, fraction (0 to 1) and, if `can_stop`, a
 // stop button. Returns true if the button was pressed.

@@ -61,5 +61,12 @@ TEST(FittedNumber, is_zero_for_noise) {
   EXPECT_EQ(fitted_number(-0.0, "%.4g", "", 1, 9, characters), "0");
 }
 
+TEST(ProgressText, reaches_100_percent_at_no_time) {
+  EXPECT_EQ(progress_text(0), "");
+  EXPECT_EQ(progress_text(0.4), "40 %");
+  EXPECT_EQ(progress_text(0.999), "99 %");
+  EXPECT_EQ(progress_text(1), "99 %");
+}
+
 }  // namespace
 }  // namespace kerf

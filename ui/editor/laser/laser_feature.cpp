@@ -62,7 +62,8 @@ std::string CutProgress::text() const {
       break;
     case Work::kCut: {
       const auto done = static_cast<double>(done_), all = static_cast<double>(done_ + waits_);
-      return text_of("Cutting, %.0f %%, Esc to stop", std::min(99.0, 100 * done / all));
+      const std::string percent = progress_text(done / all);
+      return "Cutting, " + (percent.empty() ? "0 %" : percent) + ", Esc to stop";
     }
     case Work::kEnd:
       return "Smoothing the rim";

@@ -363,7 +363,7 @@ void draw_preview(const LivePreview& preview, const char* disabled_reason, FileU
   }
   if (preview.busy()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%.0f %%", 100 * preview.fraction());
+    ImGui::TextDisabled("%s", progress_text(preview.fraction()).c_str());
   }
   if (const Preview* shown = preview.shown()) draw_statistics(*shown, unit);
   if (!preview.fault().empty()) secondary_text(preview.fault());

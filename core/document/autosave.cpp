@@ -165,12 +165,16 @@ void Autosave::drop() {
   commands_ = marks_ = 0;
 }
 
+bool Autosave::is_behind(const Document& document, std::span<const StateMark> marks) const {
+  return !file_ || document.final_commands() != commands_ || marks.size() != marks_;
+}
+
 Status Autosave::follow(const Document& document, std::span<const StateMark> marks) {
-  const std::span<const Command> commands = std::span(document.journal()).first(document.final_commands());
-  if (file_ && commands.size() == commands_ && marks.size() == marks_) {
+  if (!is_behind(document, marks)) {
     flush();
     return Done{};
   }
+  const std::span<const Command> commands = std::span(document.journal()).first(document.final_commands());
   KERF_ASSERT(commands.size() >= commands_ && marks.size() >= marks_);
   // Marks count commands from the start of the document.
   std::vector<StateMark> fresh(marks.begin() + static_cast<std::ptrdiff_t>(marks_), marks.end());

@@ -61,6 +61,8 @@ class Autosave {
   // commands. Data reach the disk asynchronously, so call follow() or flush() again within about a second.
   // Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);
+  // Returns true if follow() would write something. O(1).
+  bool is_behind(const Document& document, std::span<const StateMark> marks) const;
   // Continues flushing to the disk. Returns true if anything is left to flush.
   bool flush() { return file_ && file_->flush(); }
 

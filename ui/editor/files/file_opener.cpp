@@ -51,7 +51,7 @@ bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
   }
   return true;
 }
-constexpr std::chrono::seconds kBetweenTries{1};
+constexpr double kBetweenTries = 1;  // s
 
 std::string time_text(std::filesystem::file_time_type time) {
   const auto system = std::chrono::file_clock::to_sys(time);
@@ -130,12 +130,15 @@ std::string words_on_skip(Ticks skipped) {
          " s of simulation; bodies are at their saved positions.";
 }
 
-// An error that was shown since the opening began stays.
+// An error that was shown since the opening began stays. The name alone is only logged, because the status
+// bar shows it as that of the open file.
 void report_opened(Message& message, const LoadedFiles& loaded) {
   const std::string opened = loaded.order.left
                                  ? "Recovered unsaved work"
                                  : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes);
-  message.is_error ? message.note(opened, false) : message.info(opened);
+  const bool tells_more = loaded.order.left || !loaded.notes.empty();
+  if (!message.is_error && !tells_more) message.clear();
+  message.is_error || !tells_more ? message.note(opened, false) : message.info(opened);
   // Without hashes the work can be cut but not saved.
   if (loaded.cannot_be_kept) message.error(loaded.cannot_be_kept->message);
   if (loaded.skipped > 0) message.info(words_on_skip(loaded.skipped));
@@ -309,22 +312,39 @@ void Recovery::begin(const DocumentSession& session, const ViewState& view) {
   lights_ = view.look.lights;
   head_ = session.scene.others;
   autosave_.begin(scene_now(session, view), session.file, session.files);
+  written_at_.reset();
 }
 
-bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, Message& message) {
+bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, const Time& time,
+                      Message& message) {
   if (!needs_recovery_file(session, view.look.lights)) {
     if (autosave_.keeps()) autosave_.drop();
+    written_at_.reset();
     return true;
   }
-  if (!well_ && Clock::now() < failed_at_ + kBetweenTries) return false;
   mark_state(session.document, session.marks);
+  const double from = well_ ? written_at_.value_or(time.seconds) + (written_at_ ? time.interval : 0)
+                            : tried_at_ + kBetweenTries;
+  if (time.seconds < from) {
+    autosave_.flush();
+    return well_;
+  }
   const bool changed = view.look.lights != lights_ || session.scene.others != head_;
   if (!mouse_moves && changed) begin(session, view);
+  const bool writes = autosave_.is_behind(session.document, session.marks);
   const Status kept = autosave_.follow(session.document, session.marks);
   if (!kept && well_) message.error("Autosave failed: " + kept.error().message);
-  if (!kept) failed_at_ = Clock::now();
   well_ = kept.ok();
+  tried_at_ = time.seconds;
+  if (kept && writes) written_at_ = time.seconds;
   return well_;
+}
+
+std::string autosave_words(double age) {
+  const auto seconds = static_cast<int>(std::max(age, 0.0));
+  if (seconds < 10) return "autosaved";
+  if (seconds < 60) return "autosaved " + std::to_string(seconds / 10 * 10) + " s ago";
+  return "autosaved " + std::to_string(seconds / 60) + " min ago";
 }
 
 bool may_leave(Decisions& decisions, const DocumentSession& session, const std::vector<Light>& lights,
@@ -519,7 +539,8 @@ void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
                              loaded.error().message);
   }
   if (left) {
-    if (opened && recovery_.follow(workspace_.session, workspace_.view, false, workspace_.message))
+    const Recovery::Time now{workspace_.screen.clock->seconds()};
+    if (opened && recovery_.follow(workspace_.session, workspace_.view, false, now, workspace_.message))
       workspace_.opening.recoverable.front().file.remove();
     workspace_.opening.recoverable.clear();  // the rest is offered at the next start
   } else if (opened) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,23 +50,31 @@ class Recovery {
 
   // Restarts for another document, or another file of the document, once there are unsaved changes.
   void begin(const DocumentSession& session, const ViewState& view);
-  // Called once per frame: writes unsaved changes to the disk, and discards saved ones. Writes changes by a
-  // drag of the mouse when it ends. Reports a failure in the status bar, once, and retries every second.
-  // Returns true if the last attempt succeeded.
-  bool follow(DocumentSession& session, const ViewState& view, bool mouse_moves, Message& message);
-  // Finishes writing to the disk; called while the editor waits.
-  void flush() { autosave_.flush(); }
+  // When changes may be written: `seconds` of a clock, at least `interval` [s] after the last ones.
+  struct Time {
+    double seconds = 0, interval = 0;
+  };
+  // Called once per frame and while the editor waits: writes unsaved changes to the disk, and discards saved
+  // ones. Writes changes by a drag of the mouse when it ends. Reports a failure in the status bar, once, and
+  // retries every second. Returns true if the last attempt succeeded.
+  bool follow(DocumentSession& session, const ViewState& view, bool mouse_moves, const Time& time,
+              Message& message);
+  // Seconds of the clock at which changes were last written; nullopt if there are none to recover.
+  std::optional<double> written_at() const { return written_at_; }
   void drop() { autosave_.drop(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   Autosave autosave_;
   std::vector<Light> lights_;  // as stored
   std::string head_;           // SceneDescription::others as stored
   bool well_ = true;           // the last attempt succeeded
-  Clock::time_point failed_at_;
+  double tried_at_ = 0;        // s of the clock, of the last attempt
+  std::optional<double> written_at_;
 };
+
+// Describes the age of an autosave [s]: "autosaved", "autosaved 20 s ago", "autosaved 3 min ago". Steps are
+// of ten seconds and then of a minute, so that an idle editor redraws rarely.
+std::string autosave_words(double age);
 
 // Decisions of the user about unsaved changes before closing, and about recoverable documents of crashed
 // editors.

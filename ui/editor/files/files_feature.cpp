@@ -111,10 +111,9 @@ class FilesFeature : public Feature {
       workspace_.message.error("Recovery file is damaged: " + faults.front());
     return opened;
   }
-  void on_idle() override { recovery_.flush(); }
+  void on_idle() override { autosave(workspace_.settings.autosave_seconds); }
   void on_exit(bool left_by_user) override {
-    recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
-                     workspace_.message);
+    autosave(0);
     if (left_by_user) recovery_.drop();
   }
 
@@ -138,16 +137,16 @@ class FilesFeature : public Feature {
     opener_.make_shadows();
     restore_view();
     check_files();
-    const bool kept = recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr,
-                                       workspace_.message);
+    is_autosaved_ = autosave(workspace_.settings.autosave_seconds);
     workspace_.screen.title = window_title(workspace_.session, workspace_.view.look.lights);
-    const char* state = !is_unsaved(workspace_.session, workspace_.view.look.lights) ? ""
-                        : kept                                                       ? "* (autosaved)"
-                                                                                     : "*";
-    workspace_.services.statistics.shown.file = name_of_work(workspace_.session) + state;
+    ShownStatistics& shown = workspace_.services.statistics.shown;
+    shown.file = name_of_work(workspace_.session);
+    shown.unsaved = is_unsaved(workspace_.session, workspace_.view.look.lights);
+    shown.autosave = state_of_autosave();
   }
   bool needs_redraw() const override {
-    return workspace_.opening.loader.busy() || opener_.moving() || watched_.awaits_check();
+    return workspace_.opening.loader.busy() || opener_.moving() || watched_.awaits_check() ||
+           workspace_.services.statistics.shown.autosave != state_of_autosave();
   }
   void on_document_opened() override { watch_again(); }
 
@@ -280,6 +279,16 @@ class FilesFeature : public Feature {
     workspace_.changes.forget();
     then();
   }
+  bool autosave(int interval) {
+    const Recovery::Time time{workspace_.screen.clock->seconds(), static_cast<double>(interval)};
+    return recovery_.follow(workspace_.session, workspace_.view, workspace_.input.held != nullptr, time,
+                            workspace_.message);
+  }
+  // Empty if everything is saved, or if the autosave failed.
+  std::string state_of_autosave() const {
+    const std::optional<double> at = recovery_.written_at();
+    return at && is_autosaved_ ? autosave_words(workspace_.screen.clock->seconds() - *at) : "";
+  }
   // Makes the next check record the present state of the files.
   void watch_again() {
     watched_.watch({});
@@ -393,12 +402,13 @@ class FilesFeature : public Feature {
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
+  bool is_autosaved_ = false;  // the last attempt succeeded
   WatchedFiles watched_;
-  std::vector<fs::path> changed_;       // by other programs, offered for reloading
-  double check_at_ = 0;                 // s of the clock, of the next check
-  std::optional<View> kept_view_;       // during a reload
-  double kept_diagonal_ = 0;            // m, of the world at its begin
-  std::optional<Captured> screenshot_;  // waits until this is drawn
+  std::vector<fs::path> changed_;          // by other programs, offered for reloading
+  double check_at_ = 0;                    // s of the clock, of the next check
+  std::optional<View> kept_view_;          // during a reload
+  double kept_diagonal_ = 0;               // m, of the world at its begin
+  std::optional<Captured> screenshot_;     // waits until this is drawn
 };
 
 // Actions

@@ -92,18 +92,14 @@ bool draw_step(const UndoStack& history, size_t position, FileUnit unit) {
                   {step_words(history, position - 1, unit), removed_text(step, unit), weight_text(step)});
 }
 
-void draw_window(Document& document, Settings& settings) {
+void draw_window(const Document& document, Settings& settings) {
   if (!begin_properties("window")) return;
   property("Memory");
-  int megabytes = settings.history_megabytes;
   constexpr const char* kMeaning =
       "Memory limit for undo without replay. Older steps are replayed, which takes longer.";
-  if (whole_slider({"Memory", "##window", kMeaning, true}, megabytes, Settings::kMinHistory,
-                   Settings::kMaxHistory, grouped(static_cast<size_t>(megabytes)) + " MB",
-                   {Quantity::kPlain, 1, " MB"})) {
-    settings.history_megabytes = megabytes;
-    document.set_window(settings.history_bytes());
-  }
+  whole_slider({"Memory", "##window", kMeaning, true}, settings.history_megabytes, Settings::kMinHistory,
+               Settings::kMaxHistory, grouped(static_cast<size_t>(settings.history_megabytes)) + " MB",
+               {Quantity::kPlain, 1, " MB"});
   property("Memory Used");
   ImGui::TextUnformatted(
       text_of("%.1f MB", static_cast<double>(document.history().bytes()) / (1 << 20)).c_str());
@@ -150,7 +146,8 @@ void HistoryPanel::draw(Workspace& workspace) {
 
 class HistoryFeature : public Feature {
  public:
-  explicit HistoryFeature(Workspace& workspace) : workspace_(workspace) {}
+  explicit HistoryFeature(Workspace& workspace)
+      : workspace_(workspace), megabytes_(workspace.settings.history_megabytes) {}
 
   std::vector<PanelPart> panel_parts() override {
     return {{"history", [this] { panel_.draw(workspace_); }}};
@@ -173,6 +170,11 @@ class HistoryFeature : public Feature {
              .menu_name = [this] { return "Redo" + step_name(false); }}};
   }
 
+  void update(double) override {
+    const Settings& settings = workspace_.settings;
+    if (std::exchange(megabytes_, settings.history_megabytes) != settings.history_megabytes)
+      workspace_.session.document.set_window(settings.history_bytes());
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     report["undo_depth"] = history().position();
   }
@@ -195,6 +197,7 @@ class HistoryFeature : public Feature {
   }
 
   Workspace& workspace_;
+  int megabytes_;  // limit of the undo data
   HistoryPanel panel_;
 };
 

@@ -324,6 +324,7 @@ static void describe(KeptFields& f, Settings& s) {
   f.flag("heat_held", s.heat_held);
   f.flag("welcomed", s.welcomed);
   f.number("history_mb", s.history_megabytes, Settings::kMinHistory, Settings::kMaxHistory);
+  f.number("autosave_seconds", s.autosave_seconds, 0, Settings::kMaxAutosave);
   f.number("threads", s.threads, 0, Settings::kMaxThreads);
   f.number("drag_speed", s.drag_speed, Settings::kMinSpeed, Settings::kMaxSpeed);
   f.number("wheel_speed", s.wheel_speed, Settings::kMinSpeed, Settings::kMaxSpeed);

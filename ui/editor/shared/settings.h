@@ -34,6 +34,7 @@ struct Settings {
   bool antialias = true;
   double split_share = 0.5;                // share of the left half in the width of a split view
   int history_megabytes = 1024;            // of undo data
+  int autosave_seconds = 0;                // least time between two autosaves; 0: every change
   int threads = 0;                         // limit for loading, measuring and saving; 0: all of the machine
   bool live_recut = true;                  // resolution sliders recut the last stroke
   bool prepare_preview = true;             // mesh tools show a preview
@@ -59,6 +60,7 @@ struct Settings {
   static constexpr size_t kMaxRecent = 10;
   static constexpr int kMaxThreads = 64;
   static constexpr int kMinHistory = 16, kMaxHistory = 16384;
+  static constexpr int kMaxAutosave = 3600;
 
   size_t history_bytes() const { return static_cast<size_t>(history_megabytes) << 20; }
 

@@ -80,7 +80,9 @@ struct ShownStatistics {
   size_t pieces = 0, specks = 0;  // specks are not among the pieces
   size_t twin_faces = 0;          // of the right half
   size_t selected = 0;            // pieces
-  std::string file;               // the open file, and whether its changes are saved
+  std::string file;               // the open file
+  bool unsaved = false;           // it lacks changes
+  std::string autosave;           // age of the autosaved changes; empty: there are none
   double frame_ms = 0;
   std::string time;  // speed of time; empty: paused
   std::string work;  // of the beam after the end of its stroke; may be empty

@@ -3,7 +3,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -142,152 +141,12 @@ void draw_rows(std::span<const ShortcutRow> rows, size_t columns) {
   ImGui::PopStyleVar();
 }
 
-constexpr float kPageWidthEms = 40, kPageHeightEms = 36, kKeyEms = 9;
-
-// Returns the actions that can have a key, with their current keys.
-std::vector<UserAction> bindable(std::span<const UserAction> usual, const Bindings& bindings) {
-  std::vector<UserAction> actions = bind_keys({usual.begin(), usual.end()}, bindings);
-  std::erase_if(actions, [](const UserAction& action) { return action.items != nullptr; });
-  return actions;
-}
-
-void stop_waiting(SettingsPage& page) {
-  page.waits_for.clear();
-  page.clashes.reset();
-}
-
-void take_clashing_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
-  KERF_ASSERT(page.clashes && !page.waits_for.empty());
-  rebind(settings.bindings, usual, page.waits_for, *page.clashes);
-  stop_waiting(page);
-}
-
-// Binds the key to the action that the page waits for.
-void bind_pressed(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
-                  int mods) {
-  constexpr int kCounted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
-  const KeyChord chord{key, mods & kCounted};
-  if (is_modifier(key) || chord_text(chord).empty()) return;
-  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-  const UserAction* action = find_action(actions, page.waits_for);
-  if (action != nullptr && clash_of(actions, *action, chord) != nullptr) {
-    page.clashes = chord;
-    return;
-  }
-  rebind(settings.bindings, usual, page.waits_for, chord);
-  stop_waiting(page);
-}
-
-void speed_row(const char* name, double& speed, const char* meaning) {
-  property(name);
-  const std::string id = std::string("##") + name;
-  real_slider({name, id.c_str(), meaning, true}, speed, Settings::kMinSpeed, Settings::kMaxSpeed, "%.2f x");
-  mark_last_item(name);
-}
-
-bool page_button(const char* label, const char* landmark, const char* meaning) {
-  ImGui::SameLine();
-  const bool pressed = ImGui::Button(label);
-  mark_last_item(landmark);
-  tooltip(meaning);
-  return pressed;
-}
-
-// Draws the buttons next to the presets.
-void draw_keymap_buttons(SettingsPage& page, Settings& settings) {
-  if (page_button("Import...", "import keymap", "Reads the shortcuts of all actions from a file (.json)."))
-    page.asks_for = SettingsPage::KeymapFile::kImport;
-  if (page_button("Export...", "export keymap", "Writes the shortcuts of all actions to a file (.json)."))
-    page.asks_for = SettingsPage::KeymapFile::kExport;
-  const bool is_default = settings.bindings.empty();
-  ImGui::BeginDisabled(is_default);
-  if (page_button("Reset", "reset keymap",
-                  is_default ? "All shortcuts are the default ones." : "Restores the default shortcuts."))
-    settings.bindings.clear();
-  ImGui::EndDisabled();
-}
-
-void draw_mouse(SettingsPage& page, Settings& settings) {
-  if (!begin_properties("mouse")) return;
-  speed_row("Orbit", settings.drag_speed, "Rotation of the view per drag of the mouse.");
-  speed_row("Zoom", settings.wheel_speed, "Zoom per notch of the wheel.");
-  property("Keymap");
-  for (const BindingPreset& preset : binding_presets()) {
-    if (&preset != binding_presets().data()) ImGui::SameLine();
-    if (ImGui::RadioButton(preset.name, settings.bindings == preset.bindings))
-      settings.bindings = preset.bindings;
-    mark_last_item(preset.name);
-    tooltip(preset.meaning);
-  }
-  draw_keymap_buttons(page, settings);
-  end_properties();
-}
-
-void draw_machine(Settings& settings) {
-  if (!begin_properties("machine")) return;
-  property("Threads");
-  const int most =
-      std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, Settings::kMaxThreads);
-  whole_slider(
-      {"Threads", "##Threads", "Maximum threads for loading, measuring and saving. Cutting always uses one."},
-      settings.threads, 0, most, settings.threads == 0 ? "all" : std::to_string(settings.threads));
-  mark_last_item("Threads");
-  end_properties();
-}
-
-// Draws the prompt for a key, or the clash to confirm.
-void draw_prompt(SettingsPage& page, Settings& settings, std::span<const UserAction> usual,
-                 std::span<const UserAction> actions) {
-  const UserAction* action = find_action(actions, page.waits_for);
-  if (action == nullptr)
-    return ImGui::TextDisabled("Up/Down select - Enter or click rebinds - Del clears the shortcut");
-  if (!page.clashes)
-    return ImGui::TextUnformatted(
-        ("Press a new shortcut for \"" + action->name + "\"; Esc to cancel.").c_str());
-  const UserAction* other = clash_of(actions, *action, *page.clashes);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(
-      (chord_text(*page.clashes) + " is assigned to \"" + (other ? other->name : "") + "\".").c_str());
-  ImGui::SameLine();
-  if (ImGui::Button("Reassign (Enter)")) return take_clashing_key(page, settings, usual);
-  mark_last_item("take the key");
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel (Esc)")) stop_waiting(page);
-}
-
-void draw_row(SettingsPage& page, const UserAction& action, size_t place) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::PushID(static_cast<int>(place));
-  const bool waits = page.waits_for == action.id;
-  if (ImGui::Selectable(action.name.c_str(), page.cursor == place, ImGuiSelectableFlags_SpanAllColumns)) {
-    stop_waiting(page);
-    page.cursor = place;
-    page.waits_for = action.id;
-  }
-  mark_last_item(("key of " + action.id).c_str());
-  if (!action.tip.empty()) tooltip(action.tip.c_str());
-  if (page.cursor == place && std::exchange(page.show_cursor, false)) ImGui::SetScrollHereY();
-  ImGui::PopID();
-  ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, waits ? colours::accent() : colours::secondary());
-  ImGui::TextUnformatted(waits ? "press a key" : action.shortcut.c_str());
-  ImGui::PopStyleColor();
-}
-
-void draw_list(SettingsPage& page, std::span<const UserAction> actions) {
-  if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg)) return;
-  ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, kKeyEms * ImGui::GetFontSize());
-  for (size_t i = 0; i < actions.size(); ++i) draw_row(page, actions[i], i);
-  ImGui::EndTable();
-}
-
 // The libraries of the program, with their licences; the README lists them, too.
-constexpr std::array<std::pair<const char*, const char*>, 15> kLibraries{
+constexpr std::array<std::pair<const char*, const char*>, 16> kLibraries{
     {{"Bullet", "zlib"},
      {"OpenMesh", "BSD, 3 clauses"},
      {"lib3mf", "BSD, 2 clauses"},
+     {"pugixml", "MIT"},
      {"zlib", "zlib"},
      {"oneTBB", "Apache 2.0"},
      {"GLM", "MIT"},
@@ -342,7 +201,7 @@ class Dialogs : public Feature {
       browser_key(workspace_.services.browser, event.button);
     } else if (palette_.open) {
       palette_key(palette_, event.button);
-    } else if (page_.shown && !is_text_field_active()) {
+    } else if (page_.shown && (page_.in_search || !is_text_field_active())) {
       settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
     } else {
       return false;
@@ -358,7 +217,9 @@ class Dialogs : public Feature {
     about_shown_ = sheet_.shown = workspace_.services.messages_shown = false;
     return shown;
   }
-  bool awaits_focus() const override { return workspace_.services.browser.open || palette_.open; }
+  bool awaits_focus() const override {
+    return workspace_.services.browser.open || palette_.open || (page_.shown && page_.take_focus);
+  }
   void draw_windows() override {
     draw_shortcut_sheet(sheet_, catalogue_.actions, catalogue_.gestures);
     draw_message_log(workspace_.services.messages_shown, workspace_.message);
@@ -400,8 +261,8 @@ class Dialogs : public Feature {
                     "Finds any action by parts of its name and shows its shortcut.",
                     [this] { open_palette(palette_); }),
         make_action("help.settings", "Settings", "Ctrl+,",
-                    "Sets mouse speed, threads, and the shortcuts of all actions.",
-                    [this] { page_.shown = !page_.shown; }, {.checked = [this] { return page_.shown; }}),
+                    "Sets theme, units, undo memory, autosave, mouse, and the shortcuts of all actions.",
+                    [this] { toggle_settings_page(page_); }, {.checked = [this] { return page_.shown; }}),
         make_action("help.shortcuts", "Shortcuts", "F1", "Lists all keys and mouse gestures.",
                     [this] { sheet_ = {.shown = !sheet_.shown}; },
                     {.checked = [this] { return sheet_.shown; }}),
@@ -497,38 +358,6 @@ void draw_shortcut_sheet(ShortcutSheet& sheet, std::span<const UserAction> actio
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
-}
-
-void settings_page_key(SettingsPage& page, Settings& settings, std::span<const UserAction> usual, int key,
-                       int mods) {
-  const bool enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
-  const bool waits = !page.waits_for.empty();
-  if (key == GLFW_KEY_ESCAPE) {
-    page.shown = waits;
-    return stop_waiting(page);
-  }
-  if (page.clashes && enter) return take_clashing_key(page, settings, usual);
-  if (waits) return bind_pressed(page, settings, usual, key, mods);
-  const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-  if (key == GLFW_KEY_UP && page.cursor > 0) --page.cursor;
-  if (key == GLFW_KEY_DOWN && page.cursor + 1 < actions.size()) ++page.cursor;
-  page.show_cursor = true;
-  KERF_ASSERT(page.cursor < actions.size());
-  if (enter) page.waits_for = actions[page.cursor].id;
-  if (key == GLFW_KEY_DELETE) rebind(settings.bindings, usual, actions[page.cursor].id, {});
-}
-
-void draw_settings_page(SettingsPage& page, Settings& settings, std::span<const UserAction> usual) {
-  if (!page.shown) return;
-  if (begin_centred_window("Settings", "settings", page.shown, kPageWidthEms, kPageHeightEms)) {
-    const std::vector<UserAction> actions = bindable(usual, settings.bindings);
-    draw_mouse(page, settings);
-    draw_machine(settings);
-    draw_prompt(page, settings, usual, actions);
-    draw_list(page, actions);
-  }
-  end_centred_window();
-  if (!page.shown) stop_waiting(page);
 }
 
 std::unique_ptr<Feature> dialogs(Workspace& workspace, const Catalogue& catalogue) {

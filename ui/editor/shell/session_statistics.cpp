@@ -90,15 +90,18 @@ nlohmann::ordered_json last_stroke_of(const Document& document) {
           {"removed_area", step.totals().removed_area}};
 }
 
-struct Count {
+// A text of the status bar in a slot, which never becomes narrower, so that its neighbours stay in place.
+struct Slot {
+  const char* id;
   std::string text;
-  float min_width;  // sizes of the text; keeps its neighbours in place
+  float min_width;  // sizes of the text
   ImU32 colour;
-  float width() const {
-    return std::max(ImGui::CalcTextSize(text.c_str()).x, min_width * ImGui::GetFontSize()) +
-           1.2f * ImGui::GetFontSize();
-  }
+  bool dot = false;  // marks unsaved changes, before the text
 };
+
+constexpr float kDotEms = 0.9f;
+constexpr size_t kKeptSlots = 3;        // these take precedence over the message
+constexpr float kMessageShareEms = 24;  // of the room, for a long message
 
 // "3 pieces, 84 specks".
 std::string pieces_text(const ShownStatistics& shown) {
@@ -111,39 +114,69 @@ std::string removed_text(const ShownStatistics& shown) {
   return area > 0 ? area_label(area, shown.unit) : "nothing";
 }
 
-// Listed from the right; the first ones stay longest if there is not enough room.
-std::vector<Count> statistics_of(const ShownStatistics& shown) {
-  std::vector<Count> statistics{{count_text(shown.faces, "face"), 6.0f, colours::text()},
-                                {pieces_text(shown), 4.4f, colours::text()},
-                                {shown.file, 4.0f, colours::secondary()}};
-  if (shown.selected > 0)
-    statistics.push_back({std::to_string(shown.selected) + " selected", 5.0f, colours::text()});
-  if (!shown.time.empty()) statistics.push_back({shown.time, 6.0f, colours::text()});
-  if (shown.stroke)
-    statistics.push_back({"last cut removed " + removed_text(shown), 12.4f, colours::secondary()});
-  return statistics;
+std::string file_text(const ShownStatistics& shown) {
+  if (!shown.unsaved) return shown.file;
+  return shown.file + (shown.autosave.empty() ? " unsaved" : " " + shown.autosave);
 }
 
-// Draws them, and returns where they begin.
-float draw_statistics(const ShownStatistics& shown, float from, float to) {
-  std::vector<Count> statistics = statistics_of(shown);
+// Listed from the right; the first ones stay longest if there is not enough room.
+std::vector<Slot> slots_of(const ShownStatistics& shown) {
+  std::vector<Slot> slots{{"faces", count_text(shown.faces, "face"), 6.0f, colours::text()},
+                          {"pieces", pieces_text(shown), 4.4f, colours::text()},
+                          {"file", file_text(shown), 4.0f, colours::secondary(), shown.unsaved},
+                          {"selected", std::to_string(shown.selected) + " selected", 5.0f,
+                           shown.selected > 0 ? colours::text() : colours::secondary()}};
+  if (!shown.time.empty()) slots.push_back({"time", shown.time, 6.0f, colours::text()});
+  if (shown.stroke)
+    slots.push_back({"stroke", "last cut removed " + removed_text(shown), 12.4f, colours::secondary()});
+  return slots;
+}
+
+// Returns the width of a slot: the largest that its text had for the open file.
+float width_of(const Slot& slot, const std::string& file) {
+  const float em = ImGui::GetFontSize();
+  const float text = ImGui::CalcTextSize(slot.text.c_str()).x / em + (slot.dot ? kDotEms : 0);
+  float& kept = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID((slot.id + ("/" + file)).c_str()));
+  kept = std::max({kept, text, slot.min_width});
+  return (kept + 1.2f) * em;
+}
+
+void draw_slot(const Slot& slot, float x) {
+  const float em = ImGui::GetFontSize();
+  ImGui::SameLine(x);
+  if (slot.dot) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.35f * em, at.y + 0.5f * ImGui::GetTextLineHeight()},
+                                                0.26f * em, colours::accent());
+    ImGui::SameLine(x + kDotEms * em);
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, slot.colour);
+  ImGui::TextUnformatted(slot.text.c_str());
+  ImGui::PopStyleColor();
+  mark_last_item((std::string("status ") + slot.id).c_str());
+}
+
+// Draws them from `from` to `to`, without the less important ones where a message of this width would lack
+// room. Returns where they begin.
+float draw_statistics(const ShownStatistics& shown, float from, float to, float message) {
+  std::vector<Slot> slots = slots_of(shown);
+  std::vector<float> widths;
   float width = 0;
-  for (size_t i = 0; i < statistics.size(); ++i) {
-    width += statistics[i].width();
-    if (from + width <= to) continue;
-    width -= statistics[i].width();
-    statistics.resize(i);
+  for (size_t i = 0; i < slots.size(); ++i) {
+    widths.push_back(width_of(slots[i], shown.file));
+    const float room = to - from - (i < kKeptSlots ? 0 : message);
+    if (width + widths[i] > room) {
+      slots.resize(i);
+      break;
+    }
+    width += widths[i];
   }
-  const float begin = to - width;
-  float x = begin;
-  for (const Count& count : statistics) {
-    ImGui::SameLine(x + 1.2f * ImGui::GetFontSize());
-    ImGui::PushStyleColor(ImGuiCol_Text, count.colour);
-    ImGui::TextUnformatted(count.text.c_str());
-    ImGui::PopStyleColor();
-    x += count.width();
+  float x = to;
+  for (size_t i = 0; i < slots.size(); ++i) {
+    x -= widths[i];
+    draw_slot(slots[i], x + 1.2f * ImGui::GetFontSize());
   }
-  return begin;
+  return to - width;
 }
 
 // Draws the whole message, wrapped: it may be longer than the window is wide.
@@ -173,8 +206,8 @@ bool draw_contents(const char* button, const Message& message, const ShownStatis
   const float em = ImGui::GetFontSize(), left = ImGui::GetStyle().WindowPadding.x;
   const float end = ImGui::GetWindowWidth() - left;
   const float hint = ImGui::CalcTextSize(button).x + 1.6f * em;
-  const float right = draw_statistics(shown, left + hint, end);
-  const float wanted = ImGui::CalcTextSize(message.text.c_str()).x + em;
+  const float wanted = message.text.empty() ? 0 : ImGui::CalcTextSize(message.text.c_str()).x + em;
+  const float right = draw_statistics(shown, left + hint, end, std::min(wanted, kMessageShareEms * em));
   const bool crowded = message.is_error && left + hint + wanted > right;
   if (!crowded) {
     ImGui::SameLine(left);

@@ -175,5 +175,14 @@ TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
 }
 
+TEST(AutosaveWords, state_the_age_in_coarse_steps) {
+  EXPECT_EQ(autosave_words(-1), "autosaved");
+  EXPECT_EQ(autosave_words(9.9), "autosaved");
+  EXPECT_EQ(autosave_words(12), "autosaved 10 s ago");
+  EXPECT_EQ(autosave_words(59), "autosaved 50 s ago");
+  EXPECT_EQ(autosave_words(60), "autosaved 1 min ago");
+  EXPECT_EQ(autosave_words(200), "autosaved 3 min ago");
+}
+
 }  // namespace
 }  // namespace kerf

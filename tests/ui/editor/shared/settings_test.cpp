@@ -47,6 +47,7 @@ TEST_F(SettingsTest, round_trip) {
   settings.drag_speed = 2;
   settings.wheel_speed = 0.5;
   settings.threads = 3;
+  settings.autosave_seconds = 30;
   settings.bindings = {{"edit.undo", "Ctrl+U"}, {"view.wire", ""}};
   settings.frames["stl"] = FileFrame{FileUnit::kInch, UpAxis::kZ};
   settings.frames["obj"] = std::nullopt;

@@ -114,6 +114,37 @@ class Files(WindowTest):
         self.assertGreater(faces["keep files"], 4000)
         self.assertLess(faces["reload files"], 1000)
 
+    def test_a_changed_material_library_is_offered_for_reloading(self):
+        editor = self.open()
+        part, library = (os.path.join(self.folder, name) for name in ("part.obj", "part.mtl"))
+        with open(os.path.join(ASSETS, "meshes", "plate.obj")) as mesh, open(part, "w") as file:
+            file.write("mtllib part.mtl\n" + mesh.read())
+        with open(library, "w") as file:
+            file.write("newmtl paint\n")
+        self.open_by_browser(editor, part)
+        editor.pause(3)
+        self.assertNotIn("reload files", editor.landmarks()["parts"])
+        with open(library, "a") as file:
+            file.write("Kd 1 0 0\n")
+        editor.pause(3)
+        editor.part("reload files")
+
+    def test_the_open_dialog_previews_the_selected_file(self):
+        editor = self.open(SPHERE)
+        for name, has_image in (("good.obj", True), ("bad.obj", False)):
+            with open(os.path.join(self.folder, name), "w") as file:
+                file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + ("3\n" if has_image else "x\n"))
+            editor.press("ctrl", "o")
+            editor.part("browser")
+            self.assertNotIn("preview image", editor.landmarks()["parts"])
+            editor.pause(1)
+            editor.type(os.path.join(self.folder, name))
+            editor.pause(1)
+            self.assertEqual("preview image" in editor.landmarks()["parts"], has_image)
+            editor.press("Escape")
+            editor.settle()
+        self.assertEqual(editor.quit()["files"], [os.path.basename(SPHERE)])
+
     @real_input
     def test_dropped_files_open_together_despite_a_broken_one(self):
         editor = self.open()
@@ -262,6 +293,22 @@ class Files(WindowTest):
         self.assertEqual(self.unsaved(), [])
         replayed = subprocess.run([KERF, "replay", os.path.join(self.folder, "saved.kerf")], stdout=subprocess.DEVNULL)
         self.assertEqual(replayed.returncode, 0)
+
+    def test_autosaves_keep_the_interval_of_the_settings(self):
+        editor = self.open(SPHERE)
+        editor.quit()
+        self.set(autosave_seconds=60)
+        editor = self.open_again(SPHERE)
+        strokes = []
+        for seconds in (1, 1, 62):
+            editor.drag(ACROSS)
+            editor.pause(seconds)
+            editor.title()
+            left, = self.unsaved()
+            with open(left) as file:
+                strokes.append(file.read().count('"do":"begin-stroke"'))
+        self.assertEqual(strokes, [1, 1, 3])
+        editor.quit()
 
     def test_two_concurrent_editors_keep_their_work_separate(self):
         one = self.open(SPHERE)

@@ -292,6 +292,7 @@ class FilesFeature : public Feature {
   // Makes the next check record the present state of the files.
   void watch_again() {
     watched_.watch({});
+    documents_files_.clear();
     changed_.clear();
     check_at_ = 0;
   }
@@ -299,8 +300,15 @@ class FilesFeature : public Feature {
     if (workspace_.opening.loader.busy() || workspace_.screen.clock->seconds() < check_at_) return;
     check_at_ = workspace_.screen.clock->seconds() + kCheckSeconds;
     const std::vector<fs::path> files = files_of(workspace_.session);
-    if (!watched_.watches(files)) {
-      watched_.watch(files);
+    if (files != documents_files_) {
+      documents_files_ = files;
+      std::vector<fs::path> watched = files;
+      for (const fs::path& file : files) {
+        for (const fs::path& side : side_files_of(file)) {
+          if (std::ranges::find(watched, side) == watched.end()) watched.push_back(side);
+        }
+      }
+      watched_.watch(watched);
       changed_.clear();
     } else if (std::vector<fs::path> changed = watched_.changed(); !changed.empty()) {
       changed_ = std::move(changed);
@@ -372,7 +380,9 @@ class FilesFeature : public Feature {
                 [this](const fs::path& file) {
                   workspace_.links.open({file});
                   return "";
-                }},
+                },
+            .previewed_as = &workspace_.settings,
+            .thumbnails = &workspace_.services.thumbnails},
            workspace_.settings.folder, "");
   }
   void select_file_to_save() {
@@ -404,6 +414,7 @@ class FilesFeature : public Feature {
   FileOpener opener_{workspace_, recovery_};
   bool is_autosaved_ = false;  // the last attempt succeeded
   WatchedFiles watched_;
+  std::vector<fs::path> documents_files_;  // which are watched, with their side files
   std::vector<fs::path> changed_;          // by other programs, offered for reloading
   double check_at_ = 0;                    // s of the clock, of the next check
   std::optional<View> kept_view_;          // during a reload

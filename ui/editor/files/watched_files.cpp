@@ -2,8 +2,15 @@
 
 #include <imgui.h>
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <sstream>
 
 #include "core/base/assert.h"
+#include "core/mesh/files/mesh_format.h"
+#include "core/mesh/files/mtl_file.h"
+#include "core/mesh/files/side_file.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/window/widgets.h"
 
@@ -17,6 +24,77 @@ constexpr float kCardUnderAxesEms = 9.6f;
 constexpr ImGuiWindowFlags kCard = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr size_t kScannedBytes = 4 << 20;
+
+std::string beginning_of(const fs::path& file) {
+  std::error_code error;
+  const uintmax_t size = fs::file_size(file, error);
+  if (error) return "";
+  std::ifstream in(file, std::ios::binary);
+  std::string text(static_cast<size_t>(std::min<uintmax_t>(size, kScannedBytes)), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return text;
+}
+
+// Appends a file once.
+void add_file(std::vector<fs::path>& files, const std::optional<fs::path>& file) {
+  if (file && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
+}
+
+// The names after the keyword at the beginning of a line: one with blanks, or several.
+void add_libraries(std::vector<fs::path>& files, const fs::path& folder, const std::string& names) {
+  std::error_code error;
+  if (const auto whole = side_file(folder, names); whole && fs::is_regular_file(*whole, error))
+    return add_file(files, whole);
+  std::istringstream words(names);
+  for (std::string word; words >> word;) add_file(files, side_file(folder, word));
+}
+
+void add_files_of_obj(std::vector<fs::path>& files, const fs::path& mesh) {
+  constexpr std::string_view kKeyword = "mtllib ";
+  const fs::path folder = mesh.parent_path();
+  std::istringstream lines(beginning_of(mesh));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(kKeyword)) continue;
+    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())) != 0) line.pop_back();
+    add_libraries(files, folder, line.substr(kKeyword.size()));
+  }
+  const std::vector<fs::path> libraries = files;
+  for (const fs::path& library : libraries) {
+    for (const std::string& image : parse_mtl(beginning_of(library)).references)
+      add_file(files, side_file(folder, image));
+  }
+}
+
+// Decodes %20 and the like.
+std::string decoded(std::string_view uri) {
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    unsigned code = 0;
+    const char* from = uri.data() + i + 1;
+    if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(from, from + 2, code, 16).ptr == from + 2) {
+      text += static_cast<char>(code);
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+// The values of the keys "uri" in JSON text, which may be that of a .glb.
+void add_files_of_gltf(std::vector<fs::path>& files, const fs::path& mesh) {
+  constexpr std::string_view kKey = "\"uri\"";
+  const std::string text = beginning_of(mesh);
+  for (size_t at = text.find(kKey); at != std::string::npos; at = text.find(kKey, at + 1)) {
+    const size_t begin = text.find('"', at + kKey.size());
+    const size_t end = begin == std::string::npos ? begin : text.find('"', begin + 1);
+    if (end == std::string::npos) return;
+    const std::string_view uri = std::string_view(text).substr(begin + 1, end - begin - 1);
+    if (!uri.starts_with("data:")) add_file(files, side_file(mesh.parent_path(), decoded(uri)));
+  }
+}
 
 }  // namespace
 
@@ -35,10 +113,6 @@ void WatchedFiles::watch(const std::vector<fs::path>& files) {
     const State now = state_of(file);
     files_.push_back({file, now, now});
   }
-}
-
-bool WatchedFiles::watches(const std::vector<fs::path>& files) const {
-  return std::ranges::equal(files_, files, {}, &File::path);
 }
 
 std::vector<fs::path> WatchedFiles::changed() {
@@ -63,6 +137,14 @@ std::vector<fs::path> files_of(const DocumentSession& session) {
   for (const SceneBody& body : session.scene.bodies) {
     if (!body.mesh.empty() && std::ranges::find(files, body.mesh) == files.end()) files.push_back(body.mesh);
   }
+  return files;
+}
+
+std::vector<fs::path> side_files_of(const fs::path& mesh) {
+  std::vector<fs::path> files;
+  const auto format = mesh_format(mesh.extension().string());
+  if (format == MeshFormat::kObj) add_files_of_obj(files, mesh);
+  if (format && is_gltf(*format)) add_files_of_gltf(files, mesh);
   return files;
 }
 

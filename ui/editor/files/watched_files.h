@@ -14,7 +14,6 @@ class WatchedFiles {
  public:
   // Records the present state of the files. Files that cannot be read count as changed once they can.
   void watch(const std::vector<std::filesystem::path>& files);
-  bool watches(const std::vector<std::filesystem::path>& files) const;
   // Returns the files whose state differs from the recorded one. A file counts once its state is the same in
   // two successive calls, i.e. the other program has finished writing, and if it exists. O(files).
   std::vector<std::filesystem::path> changed();
@@ -39,6 +38,11 @@ class WatchedFiles {
 
 // Returns the files of the open document: its journal or the files from which it was opened, and its meshes.
 std::vector<std::filesystem::path> files_of(const DocumentSession& session);
+
+// Returns the files that a mesh file refers to, as its reader finds them: libraries of materials (MTL) and
+// their images, buffers and images of glTF. They need not exist. References beyond the first 4 MB of a file
+// are left out, so that this takes a bounded time.
+std::vector<std::filesystem::path> side_files_of(const std::filesystem::path& mesh);
 
 // Returns the files that open the document again: its journal, or those from which it was opened.
 std::vector<std::filesystem::path> files_to_reload(const DocumentSession& session);

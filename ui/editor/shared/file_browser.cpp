@@ -46,8 +46,10 @@ constexpr std::array kChoices{
            "Millimetres in single precision, with the colours of materials; for printers."}};
 
 constexpr int kPage = 10;
+constexpr float kListEms = 18, kPreviewEms = 16;
 
 bool exports(const FileBrowser& b) { return b.request.writes != nullptr; }
+bool previews(const FileBrowser& b) { return b.request.previewed_as != nullptr; }
 bool opens(const FileBrowser& b) { return b.request.endings.empty() && !exports(b); }
 
 bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
@@ -230,14 +232,45 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   select_entry(b, selected);
 }
 
+// Returns the width of the preview at the right of the list; 0 without one, or if the list needs the room.
+float preview_room(const FileBrowser& b) {
+  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+  return previews(b) && room > kListEms * em + kPreviewEms * em ? kPreviewEms * em : 0;
+}
+
+std::optional<fs::path> file_at_cursor(const FileBrowser& b) {
+  std::error_code error;
+  if (const auto typed = typed_path(b)) {
+    const bool is_file = fs::is_regular_file(*typed, error) && can_be_opened(*typed);
+    return is_file ? typed : std::nullopt;
+  }
+  const std::vector<size_t> left = left_by_filter(b);
+  if (!b.is_selected || b.cursor >= left.size() || b.entries[left[b.cursor]].folder) return std::nullopt;
+  return b.folder / b.entries[left[b.cursor]].name;
+}
+
+void draw_preview(FileBrowser& b, float height) {
+  if (preview_room(b) == 0) return;
+  const std::optional<fs::path> file = file_at_cursor(b);
+  const Settings& settings = *b.request.previewed_as;
+  b.preview->select(file ? std::optional<PreviewRequest>({*file, settings.theme, settings.frames})
+                         : std::nullopt);
+  ImGui::SameLine();
+  if (ImGui::BeginChild("preview", {0, height}))
+    b.preview->draw(file && b.request.thumbnails != nullptr ? b.request.thumbnails->find(whole_path(*file))
+                                                            : std::nullopt);
+  mark_window("file preview");
+  ImGui::EndChild();
+}
+
 void draw_list(FileBrowser& b) {
   const std::vector<size_t> left = left_by_filter(b);
   if (!left.empty()) b.cursor = std::min(b.cursor, left.size() - 1);
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const float below = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing();
-  const ImVec2 size(0, std::max(3 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().y - below));
-  if (!ImGui::BeginTable("entries", 2, kList, size)) return;
+  const float height = std::max(3 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().y - below);
+  if (!ImGui::BeginTable("entries", 2, kList, {-preview_room(b), height})) return;
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * ImGui::GetFontSize());
   bool gone = false;  // the entries are those of another folder now
@@ -251,6 +284,7 @@ void draw_list(FileBrowser& b) {
     ImGui::TextDisabled("%s", b.entries.empty() ? "No supported files in this folder" : "No matching files");
   }
   ImGui::EndTable();
+  draw_preview(b, height);
 }
 
 void draw_name(FileBrowser& b) {
@@ -425,9 +459,11 @@ void browse(FileBrowser& b, FileRequest request, fs::path folder, const std::str
   fresh.format = b.format;
   fresh.single_file = b.single_file;
   fresh.kind = b.kind;
+  fresh.preview = std::move(b.preview);
   b = std::move(fresh);
   b.request = std::move(request);
   b.open = true;
+  if (!b.preview) b.preview = std::make_unique<FilePreviewer>();
   std::error_code error;
   if (folder.empty() || !fs::is_directory(folder, error)) folder = fs::current_path(error);
   enter_folder(b, folder);
@@ -477,7 +513,8 @@ void draw_file_browser(FileBrowser& b) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const float em = ImGui::GetFontSize();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowSize({std::min(44 * em, 0.92f * window.x), std::min(34 * em, 0.88f * window.y)});
+  const float width = previews(b) ? 58 : 44;
+  ImGui::SetNextWindowSize({std::min(width * em, 0.92f * window.x), std::min(34 * em, 0.88f * window.y)});
   ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
@@ -494,6 +531,7 @@ void draw_file_browser(FileBrowser& b) {
   draw_buttons(b);
   if (!wanted) b.open = false;
   if (!b.open) ImGui::CloseCurrentPopup();
+  if (!b.open) b.preview->select(std::nullopt);
   ImGui::EndPopup();
 }
 

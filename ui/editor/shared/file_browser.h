@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,9 @@
 
 #include "core/document/save.h"
 #include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/file_preview.h"
+#include "ui/editor/shared/settings.h"
+#include "ui/editor/shared/thumbnails.h"
 
 namespace kerf {
 
@@ -57,6 +61,9 @@ struct FileRequest {
   std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> writes = {};
   // For a file to write: returns the files that must not be replaced.
   std::function<InputFiles()> inputs = {};
+  // For a file to open: previews the selected file as these settings do; null: no preview.
+  const Settings* previewed_as = nullptr;
+  Thumbnails* thumbnails = nullptr;  // of files whose faces a preview does not show; may be null
 };
 
 // The file dialog: folders and a filter by name. All of it can be used by keyboard.
@@ -82,6 +89,7 @@ struct FileBrowser {
     bool first = false, last = false, enter = false, backspace = false, escape = false;
   } keys;
   bool take_focus = false, show_cursor = false;
+  std::unique_ptr<FilePreviewer> preview;  // null before the first request
 };
 
 // Opens the window in a folder (the current one if it does not exist) with a name. Keeps `format`

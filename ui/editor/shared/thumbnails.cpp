@@ -18,17 +18,6 @@ fs::path picture_of(const fs::path& folder, const fs::path& file) {
   return folder / (hash_text(hash) + ".png");
 }
 
-void send(const Pixels& pixels, const gl::Texture& texture) {
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, pixels.width, pixels.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-               pixels.rgb.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glBindTexture(GL_TEXTURE_2D, 0);
-}
-
 }  // namespace
 
 Status Thumbnails::keep(const fs::path& file, const Pixels& picture) {
@@ -61,11 +50,22 @@ std::optional<TipPicture> Thumbnails::find(const fs::path& file) {
     at = shown_.emplace(png, std::nullopt).first;
     if (const std::optional<Pixels> pixels = read_png(png)) {
       at->second = Shown{{}, pixels->width, pixels->height};
-      send(*pixels, at->second->texture);
+      send_picture(*pixels, at->second->texture);
     }
   }
   if (!at->second) return std::nullopt;
   return TipPicture{at->second->texture.name(), {at->second->width, at->second->height}};
+}
+
+void send_picture(const Pixels& pixels, const gl::Texture& texture) {
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, pixels.width, pixels.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+               pixels.rgb.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 std::vector<fs::path> example_scenes() {

@@ -42,6 +42,9 @@ class Thumbnails {
   std::map<std::filesystem::path, std::optional<Shown>> shown_;  // by the paths of their images
 };
 
+// Stores an image in a texture of the current context.
+void send_picture(const Pixels& pixels, const gl::Texture& texture);
+
 // Returns the example scenes, ordered by name, without the many scenes of the paper's figures.
 std::vector<std::filesystem::path> example_scenes();
 

@@ -217,6 +217,14 @@ class Dialogs : public Feature {
     about_shown_ = sheet_.shown = workspace_.services.messages_shown = false;
     return shown;
   }
+  void update(double) override {
+    FileBrowser& browser = workspace_.services.browser;
+    if (browser.preview) browser.preview->update(workspace_.screen.background_wait);
+  }
+  bool needs_redraw() const override {
+    const FileBrowser& browser = workspace_.services.browser;
+    return browser.open && browser.preview && browser.preview->busy();
+  }
   bool awaits_focus() const override {
     return workspace_.services.browser.open || palette_.open || (page_.shown && page_.take_focus);
   }

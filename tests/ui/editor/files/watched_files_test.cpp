@@ -65,6 +65,30 @@ TEST_F(Watched, a_removed_file_counts_when_it_is_back) {
   EXPECT_EQ(changed(), Paths{a_});
 }
 
+TEST(SideFiles, of_obj_are_its_libraries_and_their_images) {
+  test::TemporaryFolder folder;
+  const fs::path mesh = folder / "car.obj";
+  write_text(mesh, "# a car\nmtllib my car.mtl\nmtllib a.mtl b.mtl \r\nv 0 0 0\n");
+  write_text(folder / "my car.mtl", "newmtl paint\nmap_Kd -s 2 2 2 paint.png\nmap_Ks gone/gloss.png\n");
+  write_text(folder / "paint.png", "");
+  EXPECT_EQ(side_files_of(mesh), (Paths{folder / "my car.mtl", folder / "a.mtl", folder / "b.mtl",
+                                        folder / "paint.png", folder / "gloss.png"}));
+}
+
+TEST(SideFiles, of_gltf_are_its_buffers_and_images) {
+  test::TemporaryFolder folder;
+  const fs::path mesh = folder / "car.gltf";
+  write_text(mesh,
+             R"({"buffers": [{"uri": "my%20car.bin"}, {"uri":"data:application/octet-stream;base64,AA"}],
+                       "images": [{"uri" : "maps/paint.png"}, {"bufferView": 1}]})");
+  fs::create_directories(folder / "maps");
+  write_text(folder / "maps/paint.png", "");
+  EXPECT_EQ(side_files_of(mesh), (Paths{folder / "my car.bin", folder / "maps/paint.png"}));
+  EXPECT_TRUE(side_files_of(folder / "none.gltf").empty());
+  write_text(folder / "a.stl", "\"uri\": \"a.bin\"");
+  EXPECT_TRUE(side_files_of(folder / "a.stl").empty());
+}
+
 TEST(FilesOfDocument, are_its_journal_or_origin_and_its_meshes) {
   DocumentSession session;
   session.files = {"scene.json"};

@@ -115,19 +115,23 @@ class Files(WindowTest):
         self.assertLess(faces["reload files"], 1000)
 
     def test_a_changed_material_library_is_offered_for_reloading(self):
-        editor = self.open()
-        part, library = (os.path.join(self.folder, name) for name in ("part.obj", "part.mtl"))
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        part, library, scene = (os.path.join(folder.name, name) for name in ("part.obj", "part.mtl", "scene.json"))
         with open(os.path.join(ASSETS, "meshes", "plate.obj")) as mesh, open(part, "w") as file:
             file.write("mtllib part.mtl\n" + mesh.read())
         with open(library, "w") as file:
             file.write("newmtl paint\n")
-        self.open_by_browser(editor, part)
+        with open(scene, "w") as file:
+            json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        editor = self.open(scene)
         editor.pause(3)
         self.assertNotIn("reload files", editor.landmarks()["parts"])
         with open(library, "a") as file:
             file.write("Kd 1 0 0\n")
         editor.pause(3)
-        editor.part("reload files")
+        self.assertIn("reload files", editor.landmarks()["parts"])
+        editor.quit()
 
     def test_the_open_dialog_previews_the_selected_file(self):
         editor = self.open(SPHERE)

@@ -175,7 +175,7 @@ size_t unit_choice(const Settings& settings, const std::string& kind) {
   return 2 + static_cast<size_t>(at - kUnits.begin());
 }
 
-void choose_unit(Settings& settings, const std::string& kind, size_t choice) {
+void set_unit_choice(Settings& settings, const std::string& kind, size_t choice) {
   KERF_ASSERT(choice < kUnitChoices.size());
   if (choice == 0) {
     settings.frames.erase(kind);
@@ -194,7 +194,7 @@ void draw_unit(Settings& settings, const std::string& kind) {
   ImGui::SetNextItemWidth(5 * em);
   if (begin_fitted_combo("##unit", kUnitChoices.at(choice))) {
     for (size_t i = 0; i < kUnitChoices.size(); ++i) {
-      if (ImGui::Selectable(kUnitChoices.at(i), i == choice)) choose_unit(settings, kind, i);
+      if (ImGui::Selectable(kUnitChoices.at(i), i == choice)) set_unit_choice(settings, kind, i);
       mark_last_item((kind + " as " + kUnitChoices.at(i)).c_str());
     }
     ImGui::EndCombo();
@@ -222,7 +222,7 @@ std::vector<SettingRow> unit_rows(Settings& settings) {
                         [&settings, kind](int by) {
                           const auto last = static_cast<int>(kUnitChoices.size()) - 1;
                           const int choice = static_cast<int>(unit_choice(settings, kind)) + by;
-                          choose_unit(settings, kind, static_cast<size_t>(std::clamp(choice, 0, last)));
+                          set_unit_choice(settings, kind, static_cast<size_t>(std::clamp(choice, 0, last)));
                         }});
   }
   return rows;

@@ -48,7 +48,7 @@ TEST(SettingsPageKeys, a_search_reaches_the_rows_of_all_pages) {
   }
   for (int i = 0; i < 9; ++i) bench.press(GLFW_KEY_RIGHT);
   EXPECT_EQ(bench.settings.autosave_seconds, 300);
-  bench.search("unit of stl");
+  bench.search("stl no such row");
   bench.press(GLFW_KEY_RIGHT);
   EXPECT_TRUE(bench.settings.frames.empty());
   bench.search("stl length");

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The section plane: its key, its handles, its numbers, its text in the clipboard, and what the pointer meets."""
+import math
 import os
 import subprocess
 import unittest
@@ -114,6 +115,76 @@ class Section(WindowTest):
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["pieces"]), (0, 1))
         self.assertIn("The plane crosses no visible piece.", report["messages"])
+
+    def select_shape(self, editor, number):
+        """Line, Lasso or Polyline."""
+        editor.press("q")
+        editor.click("header knife shape", 0.5, 0.5)
+        editor.click(f"header knife shape {number}", 0.5, 0.5)
+
+    def test_a_lasso_cuts_out_what_it_encloses_on_both_sides_and_the_journal_repeats_it(self):
+        editor = self.open(SPHERE)
+        whole = editor.ask("report")
+        self.select_shape(editor, 1)
+        x, y = editor.place((0.5, 0.5))
+        ring = [(x + 60 * math.cos(a / 4), y + 50 * math.sin(a / 4)) for a in range(26)]  # past its start
+        editor.drag_pixels(ring)
+        editor.settle()
+        cut = editor.ask("report")
+        self.assertEqual((cut["pieces"], cut["undo_depth"], cut["faces_removed"]), (3, 1, 0))
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.ask("report")["state_hash"], whole["state_hash"])
+        editor.do("ctrl", "shift", "z")
+        self.assertEqual(editor.ask("report")["state_hash"], cut["state_hash"])
+        self.save_as(editor, "lasso")
+        editor.wait_for_title("lasso.kerf - Kerf")
+        editor.quit()
+        subprocess.run([KERF, "replay", os.path.join(self.folder, "lasso.kerf"), "--expect", cut["state_hash"]],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def test_a_lasso_beside_the_mesh_or_a_cancelled_one_cuts_nothing(self):
+        editor = self.open(SPHERE)
+        self.select_shape(editor, 1)
+        (x, y), (x1, y1) = editor.place((0.4, 0.4)), editor.place((0.6, 0.6))
+        editor.move_to(x, y)
+        editor.settle()
+        editor.press_button(1, x, y)
+        editor.move_to(x1, y)
+        editor.move_to(x1, y1)
+        editor.press("Escape")
+        editor.release(1)
+        editor.settle()
+        self.assertEqual(editor.ask("report")["undo_depth"], 0)
+        editor.drag([(0.1, 0.8), (0.2, 0.8), (0.2, 0.9), (0.1, 0.9)])
+        editor.settle()
+        report = editor.quit()
+        self.assertEqual((report["undo_depth"], report["pieces"]), (0, 1))
+        self.assertIn("The line meets no visible piece.", report["messages"])
+
+    def test_a_polyline_is_closed_at_its_first_point_or_ended_by_enter(self):
+        editor = self.open(SPHERE)
+        self.select_shape(editor, 2)
+        square = [(0.45, 0.42), (0.55, 0.42), (0.55, 0.58), (0.45, 0.58)]
+        for at in square + square[:1]:
+            editor.click(*at)
+        editor.settle()
+        closed = editor.ask("report")
+        self.assertEqual((closed["pieces"], closed["undo_depth"]), (3, 1))
+        editor.do("ctrl", "z")
+        editor.click(0.15, 0.5)
+        editor.click(0.5, 0.45)
+        editor.click(0.5, 0.9)
+        editor.do("BackSpace")
+        editor.click(0.85, 0.5)
+        editor.do("Return")
+        editor.settle()
+        opened = editor.ask("report")
+        self.assertEqual((opened["pieces"], opened["undo_depth"], opened["faces_removed"]), (2, 1, 0))
+        editor.click(0.4, 0.5)
+        editor.click(0.6, 0.5)
+        editor.do("Escape")
+        editor.do("Return")
+        self.assertEqual(editor.quit()["state_hash"], opened["state_hash"])
 
     def test_the_button_cuts_at_the_section_plane(self):
         editor = self.open_with_panel()

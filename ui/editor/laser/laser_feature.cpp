@@ -191,7 +191,7 @@ bool draw_laser_panel(LaserControls& laser, FileUnit unit) {
 
 constexpr int kRingPoints = 48;
 constexpr double kChartSeconds = 0.02;  // of a frame, for the chart of resolutions
-constexpr double kSteepest = 0.2;  // cosine of the angle of incidence from which the ring grows no longer
+constexpr double kMinIncidence = 0.2;  // cosine of the angle of incidence from which the ring grows no longer
 constexpr double kRadiusStep = 1.25;
 constexpr double kMinRing = 3, kMaxRing = 400;  // pixels
 
@@ -427,7 +427,7 @@ class LaserFeature : public Feature {
       const double angle = 2 * kPi * i / kRingPoints;
       const Vec3 offset = workspace_.laser.radius * (std::cos(angle) * side + std::sin(angle) * up);
       // Along the beam onto the plane of the face, but not farther than at a steep angle.
-      const double along = glm::dot(surface->normal, offset) / std::max(towards, kSteepest);
+      const double along = glm::dot(surface->normal, offset) / std::max(towards, kMinIncidence);
       const auto place = viewport.place_of(surface->at + offset + along * ray.direction);
       if (!place) return {};
       const Vec2 from = *place - workspace_.input.pointer;

@@ -102,6 +102,7 @@ const std::vector<MenuLayout> kPaletteOnly{
      {"resolution.finer", "resolution.coarser", "resolution.by_edge_length", "resolution.by_tolerance",
       "resolution.by_depth", "resolution.one_to_four", "resolution.longest_edge", "resolution.rim_faces",
       "resolution.rim_smooth", "resolution.live"}},
+    {"Knife", {"knife.line", "knife.lasso", "knife.polyline"}},
     {"Step Mode", {"stages.faster", "stages.slower"}},
     {"Tree", {"tree.next_node", "tree.previous_node", "tree.show_query"}},
     {"Light", {"light.preset", "light.add", "light.remove", "light.next", "light.paper_look"}},
@@ -128,10 +129,14 @@ constexpr const char* kViewContext[] = {"view.frame_all",    "view.reset",      
                                         "pieces.select_all", "pieces.show_all", kLine, "edit.undo",
                                         "edit.redo"};
 
-constexpr const char* kGestures[] = {
-    "cut",        "cut_line",   "select",       "select_box", "select_more",     "move_piece", "pull_piece",
-    "add_point",  "move_point", "move_emitter", "rename",     "orbit",           "pan",        "move_section",
-    "move_light", "zoom",       "context",      "fit_graph",  "look_along_axis", "escape"};
+constexpr const char* kGestures[] = {"cut",          "cut_line",      "cut_polyline",
+                                     "select",       "select_box",    "select_more",
+                                     "move_piece",   "pull_piece",    "add_point",
+                                     "move_point",   "move_emitter",
+                                     "rename",       "orbit",         "pan",
+                                     "move_section", "move_light",    "zoom",
+                                     "context",      "fit_graph",     "look_along_axis",
+                                     "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
     {"Kerf", "Default keys.", {}},

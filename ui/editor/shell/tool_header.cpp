@@ -15,7 +15,7 @@ namespace {
 // clang-format off
 const std::vector<HeaderLayout> kHeaders{
     {kLaserTool, {{"laser.radius"}, {"laser.size"}, {"laser.rim"}}},
-    {kKnifeTool, {{"section.cut", "Cut at Section Plane"}}},
+    {kKnifeTool, {{"knife.shape"}, {"section.cut", "Cut at Section Plane"}}},
     {kPathTool,
      {{"path.speed"}, {"path.resolution"}, {"path.run", "Run"}, {"path.delete_point", "Delete Point"},
       {"path.clear", "Clear"}}},
@@ -59,10 +59,11 @@ void draw_option(const ToolOption& option) {
 void draw_name(const UserAction& action) {
   const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (const auto icon = icon_of_tool(action.id))
+  const auto icon = icon_of_tool(action.id);
+  if (icon)
     draw_icon(*icon, *ImGui::GetWindowDrawList(), {at.x + 0.6f * em, at.y + 0.5f * height}, 0.5f * em,
               colours::accent());
-  ImGui::SetCursorScreenPos({at.x + 1.6f * em, at.y});
+  ImGui::SetCursorScreenPos({at.x + (icon ? 1.6f : 0.4f) * em, at.y});
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(action.name.c_str());
 }

@@ -75,7 +75,7 @@ TEST_F(Header, shows_the_options_of_each_tool_in_one_line) {
     EXPECT_LT(covered.size.y, 3 * ImGui::GetFontSize()) << tool;
     EXPECT_LE(covered.size.x, 1900) << tool;
   }
-  EXPECT_EQ(items_of(kKnifeTool), 1u);
+  EXPECT_EQ(items_of(kKnifeTool), 2u);
   EXPECT_FALSE(landmarks.find("header laser.radius"));
 }
 

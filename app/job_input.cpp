@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "core/base/deterministic_math.h"
+#include "ui/render/view/camera.h"
 
 namespace kerf {
 
@@ -29,6 +30,9 @@ void JobInput::add_to(CLI::App& command) {
       "--at", at,
       "X,Y,Z: position of the middle of the drawing, or the zero of the program, in metres (above the "
       "middle of the meshes; the program above the zero of the world)");
+  command.add_option("--eye", eye,
+                     "With --drawing: X,Y,Z, from which the beam goes through the drawing, which faces this "
+                     "point; instead of --onto");
   add_number(command, "--turn", turn, kTurn,
              "Turn of the drawing, counter-clockwise as seen along the beam (0)");
   add_number(command, "--scale", scale, kJobScale, "Factor on the size of the drawing (1)");
@@ -44,6 +48,7 @@ void JobInput::add_to(CLI::App& command) {
 Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (file().empty()) {
     if (wrap) return bad_input("--wrap: requires --drawing");
+    if (eye) return bad_input("--eye: requires --drawing");
     if (onto || at || turn || scale)
       return bad_input("--onto, --at, --turn and --scale: require --drawing or --gcode");
     if (power_at_s1000) return bad_input("--power-at-s1000: requires --gcode");
@@ -56,6 +61,8 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (power_at_s1000 && gcode.empty()) return bad_input("--power-at-s1000: requires --gcode");
   if (!axes.empty() && gcode.empty()) return bad_input("--axes: requires --gcode");
   if (wrap && drawing.empty()) return bad_input("--wrap: requires --drawing");
+  if (eye && drawing.empty()) return bad_input("--eye: requires --drawing");
+  if (eye && (onto || wrap)) return bad_input("--eye: cannot be combined with --onto or --wrap");
   if (!layers.empty() && drawing.empty()) return bad_input("--layers: requires --drawing");
   const auto plane = plane_onto(onto.value_or("-y"));
   if (!plane) return bad_input("--onto: " + plane.error().message);
@@ -65,6 +72,9 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
   plane_.wrap = wrap.value_or(0);
   if (at) {
     if (const Status s = unpack(parse_point("--at", *at), plane_.at); !s) return s;
+  }
+  if (eye) {
+    if (const Status s = unpack(parse_point("--eye", *eye), eye_); !s) return s;
   }
   auto kind = job_kind(file());
   if (!gcode.empty()) kind = JobFile::Kind::kProgram;
@@ -83,9 +93,18 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
 }
 
 // Without --at the plane lies before the meshes, against the beam. With rotary axes the heights of the
-// program count, and its zero is that of the world.
+// program count, and its zero is that of the world. With --eye it faces the eye.
 JobPlane JobInput::placed(const Bounds& bounds) const {
   JobPlane plane = plane_;
+  if (eye) {
+    if (!at) plane.at = bounds.centre();
+    const CameraView view = look_at(eye_, plane.at, 1);
+    plane.right = view.right;
+    plane.up = view.up;
+    plane.beam = view.forward;
+    plane.eye = view.eye;
+    return plane;
+  }
   if (at || !axes.empty()) return plane;
   if (wrap) {
     plane.at = bounds.centre() - *wrap * plane.beam;

@@ -16,7 +16,7 @@ namespace kerf {
 // The options of `kerf cut` for a drawing or a program instead of a path file.
 struct JobInput {
   std::string drawing, gcode, layers, axes;  // files; empty: not given
-  std::optional<std::string> onto, at;
+  std::optional<std::string> onto, at, eye;
   std::optional<double> turn, scale, wrap, power_at_s1000;
 
   // Adds the options to the subcommand. Parsing fills this object.
@@ -39,6 +39,7 @@ struct JobInput {
   JobFile job_;
   LayerTable layers_;
   JobPlane plane_;
+  Vec3 eye_{0};  // of --eye
 };
 
 // Help of --axes.

@@ -29,11 +29,6 @@ struct PathOptions {
   bool works() const { return side() != PathSide::kNone || !tabs.empty(); }
 };
 
-bool is_drawing_file(const std::string& file) {
-  const auto kind = job_kind(file);
-  return kind == JobFile::Kind::kSvg || kind == JobFile::Kind::kDxf;
-}
-
 // Parses "N,M": a number of tabs and their width in metres.
 Status parse_tabs(const std::string& text, ToolpathOptions& options) {
   const auto wrong =

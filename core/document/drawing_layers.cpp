@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/assert.h"
+#include "core/document/job_files.h"
 #include "core/document/text/fields.h"
 
 namespace kerf {
@@ -55,7 +56,8 @@ void set_lasers(const LayerTable& table, std::span<const DrawnLine> lines, std::
     if (!settings) continue;
     if (settings->radius) strokes[i].radius = settings->radius;
     if (settings->power) strokes[i].power = settings->power;
-    if (settings->speed) retime(strokes[i], *settings->speed);
+    if (!settings->speed) continue;
+    for (double& time : strokes[i].times) time *= kDrawingSpeed / *settings->speed;
   }
 }
 

@@ -41,7 +41,7 @@ Result<LayerTable> read_layers(const std::filesystem::path& file);
 void arrange_layers(const LayerTable& table, std::vector<DrawnLine>& lines, std::vector<std::string>& notes);
 
 // Gives strokes the radius, the power and the speed of the layers of the lines that they were made from, one
-// each.
+// each, at kDrawingSpeed (see drawing_strokes()).
 void set_lasers(const LayerTable& table, std::span<const DrawnLine> lines, std::span<StrokePath> strokes);
 
 }  // namespace kerf

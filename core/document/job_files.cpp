@@ -58,10 +58,10 @@ Result<std::vector<std::vector<Vec3>>> plane_points(std::span<const StrokePath> 
 }
 
 // Returns the times of points that are passed at kDrawingSpeed. They ascend even where points coincide.
-std::vector<double> drawing_times(const std::vector<Pose>& keys) {
+std::vector<double> drawing_times(const std::vector<Vec3>& points) {
   std::vector<double> times{0};
-  for (size_t k = 1; k < keys.size(); ++k) {
-    const double time = times.back() + glm::length(keys[k].origin - keys[k - 1].origin) / kDrawingSpeed;
+  for (size_t k = 1; k < points.size(); ++k) {
+    const double time = times.back() + glm::length(points[k] - points[k - 1]) / kDrawingSpeed;
     times.push_back(std::max(time, std::nextafter(times.back(), 1e300)));
   }
   return times;
@@ -130,6 +130,12 @@ Pose JobPlane::wrapped_beam(Vec2 p) const {
   return {axis + q.y * up + 2 * wrap * outward, -outward};
 }
 
+Pose JobPlane::beam_to(Vec2 p) const {
+  if (wrap > 0) return wrapped_beam(p);
+  const Vec3 target = point(p, 0);
+  return eye ? Pose{*eye, glm::normalize(target - *eye)} : Pose{target, beam};
+}
+
 Vec3 JobPlane::coordinates(const Vec3& point) const {
   KERF_ASSERT(turn == 0 && scale == 1);
   return {glm::dot(point - at, right), glm::dot(point - at, up), -glm::dot(point - at, beam)};
@@ -155,6 +161,11 @@ std::optional<JobFile::Kind> job_kind(const std::filesystem::path& file) {
     if (row.ending == ending) return row.kind;
   }
   return std::nullopt;
+}
+
+bool is_drawing_file(const std::filesystem::path& file) {
+  const auto kind = job_kind(file);
+  return kind == JobFile::Kind::kSvg || kind == JobFile::Kind::kDxf;
 }
 
 Result<JobFile> read_job_text(std::string_view text, const std::string& where, JobFile::Kind kind,
@@ -224,9 +235,16 @@ std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 m
       wrap_line(line, middle, plane, stroke);
       continue;
     }
-    for (const Vec2& point : line.points) stroke.keys.push_back({plane.point(point - middle, 0), plane.beam});
-    if (line.closed) stroke.keys.push_back(stroke.keys.front());
-    stroke.times = drawing_times(stroke.keys);
+    std::vector<Vec3> passed;
+    for (const Vec2& point : line.points) {
+      stroke.keys.push_back(plane.beam_to(point - middle));
+      passed.push_back(plane.point(point - middle, 0));
+    }
+    if (line.closed) {
+      stroke.keys.push_back(stroke.keys.front());
+      passed.push_back(passed.front());
+    }
+    stroke.times = drawing_times(passed);
   }
   return strokes;
 }

@@ -26,6 +26,9 @@ struct JobPlane {
   // Radius of the cylinder around which the plane is wrapped [m]; 0: none. The cylinder touches the plane
   // along the line through `at` in the direction `up`, behind the plane. The beam then goes towards its axis.
   double wrap = 0;
+  // If set, the beam goes from here through the points of the plane, as in a perspective view [m]. It lies
+  // before the plane. Without effect if the plane is wrapped.
+  std::optional<Vec3> eye;
 
   // Maps a point of the plane, which lies `height` metres before it against the beam.
   Vec3 point(Vec2 p, double height) const;
@@ -34,6 +37,8 @@ struct JobPlane {
   // Maps a point of the wrapped plane to a beam that starts one radius above the cylinder and reaches its
   // surface there. Precondition: wrap > 0.
   Pose wrapped_beam(Vec2 p) const;
+  // Returns the beam to a point of the plane: wrapped_beam(), from the eye, or from the point along `beam`.
+  Pose beam_to(Vec2 p) const;
   // Maps a point of the world to the plane, with the height as its third coordinate. Precondition: turn 0,
   // scale 1.
   Vec3 coordinates(const Vec3& point) const;
@@ -65,6 +70,8 @@ struct JobFile {
 // Returns the kind of a file by its extension: .json, .svg, .dxf, or .nc, .ngc, .gcode, .tap; nullopt for
 // others.
 std::optional<JobFile::Kind> job_kind(const std::filesystem::path& file);
+// Returns true if the kind is a drawing.
+bool is_drawing_file(const std::filesystem::path& file);
 
 // Read a file or its text. Curves are flattened within `tolerance` [m, > 0]; `where` names the text in
 // errors; `rotary` holds the rotary axes of programs. Fail with bad input like read_svg(), read_dxf(),
@@ -84,7 +91,7 @@ Result<RotaryAxes> read_rotary_axes(const std::filesystem::path& file);
 
 // Returns the strokes of lines of a drawing, in order, at kDrawingSpeed. A closed line ends at its first
 // point. On a wrapped plane the beam turns by at most kWrapStep between two keys, and its range ends at the
-// axis.
+// axis. From an eye the beam only turns.
 std::vector<StrokePath> drawing_strokes(std::span<const DrawnLine> lines, Vec2 middle, const JobPlane& plane);
 
 // Returns the strokes of a program. X is to the right, Y up and Z against the beam, before rotary axes turn

@@ -192,6 +192,16 @@ class Jobs(unittest.TestCase):
         self.assertIn('post.json: /on', self.kerf('path', svg, '--out', self.path('b.nc'), '--post', wrong, status=2))
         self.assertIn('--post: requires a program', self.kerf('path', svg, '--out', self.path('b.svg'), '--post', wrong, status=2))
 
+    def test_a_drawing_seen_from_an_eye_is_cut_as_large_as_it_looks_on_the_sheet(self):
+        svg = self.write('a.svg', '<svg width="20mm" height="20mm" viewBox="0 0 20 20"><path d="M5 5h10v10h-10z"/></svg>')
+        # The plane of the drawing is half-way from the eye to the sheet in y = 0, so the square is twice as large.
+        report = self.cut(self.sheet(.05), '--drawing', svg, '--eye', '0,.5,0', '--at', '0,.25,0')
+        drop, = self.areas(report)
+        self.assertAlmostEqual(drop, (.02 - 2 * RADIUS)**2, delta=1e-6)
+        for wrong, why in ((['--eye', '0,1,0'], 'requires --drawing'),
+                           (['--eye', '0,1,0', '--onto', '-y', '--drawing', svg], 'cannot be combined')):
+            self.assertIn(why, self.kerf('cut', self.sheet(1), *wrong, '--out', self.path('o'), status=2))
+
     def test_layers_and_colours_have_settings_and_an_order(self):
         svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="M10 10h20"/>'
                                   '<path stroke="#00F" d="M10 20h20"/><path stroke="green" d="M10 30h20"/></svg>')

@@ -74,6 +74,80 @@ class Path(WindowTest):
         self.assertEqual((report["path"]["strokes"], len(report["path"]["targets"])), (2, 3))
         self.assertEqual((report["undo_depth"], report["strokes"]), (0, 0))
 
+    def open_drawing(self, text, name="drawing.svg", *options):
+        """Drops a drawing on the sphere."""
+        editor = self.open_path(SPHERE)
+        drawing = os.path.join(self.folder, name)
+        with open(drawing, "w") as file:
+            file.write(text)
+        editor.settle()
+        editor.drop(drawing)
+        editor.settle()
+        return editor
+
+    SQUARE = ('<svg width="500mm" height="250mm" viewBox="0 0 500 250"><rect width="400" height="200" x="10" y="10" '
+              'stroke="red"/><text>A</text></svg>')
+
+    def test_a_dropped_drawing_is_moved_scaled_turned_and_removed(self):
+        editor = self.open_drawing(self.SQUARE)
+        first = editor.ask("report")
+        self.assertAlmostEqual(first["drawing"]["width"], 0.4)
+        self.assertEqual(first["drawing"]["points"], first["drawing"]["points_on_surface"])
+        self.assertIn("left out: 1 text", first["messages"][-1])
+        x, y = editor.place(("drawing", 0.5, 0.5))
+        corner = editor.place(("drawing corner 2", 0.5, 0.5))
+        editor.drag_pixels([corner, (2 * corner[0] - x, 2 * corner[1] - y)])
+        scaled = editor.ask("report")["drawing"]
+        self.assertAlmostEqual(scaled["width"], 0.8, delta=0.02)
+        knob = editor.place(("drawing turn", 0.5, 0.5))
+        editor.key_down("shift")
+        editor.drag_pixels([knob, (x - 100, y + 3)])
+        editor.key_up("shift")
+        self.assertAlmostEqual(editor.ask("report")["drawing"]["turn"], 90)
+        editor.drag_pixels([(x, y), (x + 40, y - 40)])
+        moved = editor.ask("report")
+        self.assertGreater(moved["drawing"]["at"][0], first["drawing"]["at"][0])
+        self.assertGreater(moved["drawing"]["at"][1], first["drawing"]["at"][1])
+        self.assertEqual((moved["undo_depth"], moved["state_hash"]), (0, first["state_hash"]))
+        editor.do("Escape")
+        report = editor.quit()
+        self.assertNotIn("drawing", report)
+        self.assertEqual((report["undo_depth"], report["state_hash"]), (0, first["state_hash"]))
+
+    def test_a_drawing_along_the_view_is_cut_by_the_knife_and_its_journal_repeats_it(self):
+        editor = self.open_drawing(self.SQUARE.replace("400", "200").replace('"200" x', '"100" x'))
+        whole = editor.ask("report")["state_hash"]
+        for row, number in (("drawing mode", 2), ("drawing with", 1)):
+            editor.click(row, 0.5, 0.5)
+            editor.click(f"{row} {number}", 0.5, 0.5)
+        editor.click("header drawing.cut", 0.5, 0.5)
+        editor.settle()
+        report = editor.ask("report")
+        self.assertEqual((report["pieces"], report["faces_removed"]), (3, 0))
+        self.save_as(editor, "drawing")
+        editor.wait_for_title("drawing.kerf - Kerf")
+        subprocess.run([KERF, "replay", os.path.join(self.folder, "drawing.kerf"), "--expect", report["state_hash"]],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.quit()["state_hash"], whole)
+
+    def test_a_drawing_is_cut_by_the_laser_as_one_step(self):
+        editor = self.open_drawing('<svg width="90mm" height="90mm" viewBox="0 0 90 90"><path d="M30 30h50v50z"/></svg>')
+        whole = editor.ask("report")["state_hash"]
+        editor.do("Return")
+        editor.settle()
+        report = editor.ask("report")
+        self.assertGreater(report["faces_removed"], 0)
+        self.assertGreater(report["pieces"], 1)
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.quit()["state_hash"], whole)
+
+    def test_a_faulty_drawing_leaves_a_message_and_nothing_else(self):
+        editor = self.open_drawing("<svg><path d='M0 0 L'/></svg>")
+        report = editor.quit()
+        self.assertNotIn("drawing", report)
+        self.assertIn("drawing.svg", report["messages"][-1])
+
     def test_a_saved_path_runs_like_kerf_cut(self):
         editor = self.open_path(SPHERE)
         editor.press("o")

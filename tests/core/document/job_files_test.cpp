@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/deterministic_math.h"
+#include "core/document/drawing_layers.h"
 
 namespace kerf::test {
 namespace {
@@ -72,6 +73,29 @@ TEST(JobPlane, points_are_scaled_then_turned_then_placed) {
   // Right becomes up: (1, 0) -> (0, 2), which is -z.
   EXPECT_LT(glm::length(plane.point({1, 0}, 0) - Vec3(1, 2, 1)), 1e-12);
   EXPECT_LT(glm::length(plane.point({0, 0}, 0.5) - Vec3(1, 3, 3)), 1e-12);
+}
+
+TEST(JobPlane, beams_from_an_eye_go_through_the_points_of_the_plane) {
+  JobPlane plane = *plane_onto("-y");
+  plane.eye = Vec3(0.1, 3, -0.2);
+  plane.scale = 2;
+  const std::vector<DrawnLine> lines{{{{0, 0}, {0.3, 0}, {0.3, 0.4}}, true, "HOLES"}};
+  auto strokes = drawing_strokes(lines, {0, 0}, plane);
+  ASSERT_EQ(strokes.size(), 1u);
+  ASSERT_EQ(strokes[0].keys.size(), 4u);
+  for (size_t k = 0; k < 4; ++k) {
+    const Pose& key = strokes[0].keys[k];
+    EXPECT_EQ(key.origin, *plane.eye);
+    const Vec3 target = plane.point(lines[0].points[k % 3], 0) - key.origin;
+    EXPECT_LT(glm::length(glm::cross(target, key.direction)), 1e-15);
+    EXPECT_GT(glm::dot(target, key.direction), 0);
+  }
+  // The speed is that on the plane: 1.2 times the scale in all.
+  EXPECT_NEAR(duration_of(strokes[0]), 2.4 / kDrawingSpeed, 1e-12);
+  LayerTable table;
+  table.layers["HOLES"].speed = 0.1;
+  set_lasers(table, lines, strokes);
+  EXPECT_NEAR(duration_of(strokes[0]), 24, 1e-12);
 }
 
 TEST(JobFiles, a_path_is_the_same_after_a_program) {

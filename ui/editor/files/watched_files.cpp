@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr float kCardUnderAxesEms = 9.6f;
-constexpr ImGuiWindowFlags kCard = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kWatchedCard =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 constexpr size_t kScannedBytes = 4 << 20;
 
 std::string beginning_of(const fs::path& file) {
@@ -162,7 +162,7 @@ ReloadChoice draw_reload_card(const std::vector<fs::path>& changed, const Area& 
   ReloadChoice choice = ReloadChoice::kNone;
   ImGui::SetNextWindowPos({right - 0.8f * em, top + kCardUnderAxesEms * em}, ImGuiCond_Always, {1, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("##reload", nullptr, kCard)) {
+  if (ImGui::Begin("##reload", nullptr, kWatchedCard)) {
     ImGui::TextUnformatted(words_on_changed(changed).c_str());
     if (ImGui::Button("Reload")) choice = ReloadChoice::kReload;
     mark_last_item("reload files");

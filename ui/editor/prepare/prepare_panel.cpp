@@ -59,7 +59,7 @@ void rename(Command& command, const Delta& delta) {
 constexpr double kMaxDepth =
     0.008;  // of the world size, max. depth behind a surface at which a wire is visible
 
-std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
+std::vector<FaceId> faces_of_label(const Body& body, uint32_t label) {
   std::vector<FaceId> faces;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (body.mesh.is_live(FaceId(f)) && body.mesh.data(FaceId(f)).piece == label) faces.emplace_back(f);
@@ -70,7 +70,7 @@ std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
 std::vector<Triangle> surface_of(const World& world, const PieceId& piece) {
   const Body& body = world.body(piece.body);
   std::vector<Triangle> surface;
-  for (const FaceId f : faces_of(body, piece.label)) {
+  for (const FaceId f : faces_of_label(body, piece.label)) {
     Triangle t = body.mesh.triangle(f);
     for (Vec3& corner : t) corner = body.placement.to_world(corner);
     surface.push_back(t);
@@ -89,7 +89,7 @@ void add_statistics(std::span<const Triangle> surface, Preview::Statistics& stat
 // Returns the edges of the faces of a piece as pairs of vertices, each once.
 std::vector<std::pair<uint32_t, uint32_t>> sides_of(const Body& body, uint32_t label) {
   std::vector<std::pair<uint32_t, uint32_t>> sides;
-  for (const FaceId f : faces_of(body, label)) {
+  for (const FaceId f : faces_of_label(body, label)) {
     const auto corners = body.mesh.corners(f);
     for (size_t i = 0; i < 3; ++i)
       sides.push_back(std::minmax({corners[i].index, corners[(i + 1) % 3].index}));

@@ -105,6 +105,8 @@ std::unique_ptr<Feature> material_feature(Workspace& workspace);
 std::unique_ptr<Feature> split_feature(Workspace& workspace);
 // The path of the laser, drawn point by point over the surface and then run.
 std::unique_ptr<Feature> path_feature(Workspace& workspace);
+// A drawing (SVG or DXF) that is placed over the surface and then cut.
+std::unique_ptr<Feature> drawing_feature(Workspace& workspace);
 // A laser fixed in the scene that fires while switched on, continuously or in pulses.
 std::unique_ptr<Feature> emitter_feature(Workspace& workspace);
 // Stepping through the last stroke, forwards and back, and through the nodes of the last tree query.

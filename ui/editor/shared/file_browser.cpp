@@ -12,6 +12,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
+#include "core/document/job_files.h"
 #include "core/document/journal.h"
 #include "ui/window/layout.h"
 #include "ui/window/widgets.h"
@@ -55,7 +56,7 @@ bool opens(const FileBrowser& b) { return b.request.endings.empty() && !exports(
 bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
   if (entry.folder) return true;
   if (exports(b)) return mesh_format(fs::path(entry.name).extension().string()).has_value();
-  if (!is_of_kind(entry.name, b.kind)) return false;
+  if (!is_of_kind(entry.name, b.request.only != FileKind::kAll ? b.request.only : b.kind)) return false;
   return entry.name.ends_with(b.request.listed);
 }
 
@@ -338,8 +339,8 @@ void draw_export(FileBrowser& b) {
 
 // Draws the kinds of files that can be listed, or the extensions that can be written.
 void draw_types(FileBrowser& b) {
-  if (opens(b) && *b.request.listed == '\0') {
-    constexpr std::array kKinds{"All", "Meshes", "Scenes", "Journals"};
+  if (opens(b) && *b.request.listed == '\0' && b.request.only == FileKind::kAll) {
+    constexpr std::array kKinds{"All", "Meshes", "Scenes", "Journals", "Drawings"};
     for (size_t i = 0; i < kKinds.size(); ++i) {
       if (i > 0) ImGui::SameLine();
       const auto kind = static_cast<FileKind>(i);
@@ -385,6 +386,8 @@ bool is_of_kind(const std::string& name, FileKind kind) {
       return ending == ".json";
     case FileKind::kJournals:
       return is_journal(file);
+    case FileKind::kDrawings:
+      return is_drawing_file(file);
     case FileKind::kAll:
       break;
   }
@@ -411,7 +414,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault)
     std::error_code unknown;
     if (at->is_directory(unknown)) {
       entries.push_back({name, true, 0});
-    } else if (at->is_regular_file(unknown) && can_be_opened(at->path())) {
+    } else if (at->is_regular_file(unknown) && (can_be_opened(at->path()) || is_drawing_file(at->path()))) {
       const uintmax_t bytes = at->file_size(unknown);
       entries.push_back({name, false, unknown ? 0 : bytes});
     }

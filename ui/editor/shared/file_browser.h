@@ -18,7 +18,7 @@
 namespace kerf {
 
 // The files that the dialog lists.
-enum class FileKind { kAll, kMeshes, kScenes, kJournals };
+enum class FileKind { kAll, kMeshes, kScenes, kJournals, kDrawings };
 
 struct FolderEntry {
   std::string name;
@@ -49,9 +49,10 @@ void draw_file_names(std::span<const std::filesystem::path> files);
 // Request for a file to open, save or export.
 struct FileRequest {
   const char* title;
-  const char* verb;         // on the button
-  const char* hint;         // in the field for the name
-  const char* listed = "";  // extension of the listed files; empty: all that can be opened
+  const char* verb;                // on the button
+  const char* hint;                // in the field for the name
+  const char* listed = "";         // extension of the listed files; empty: all that can be opened
+  FileKind only = FileKind::kAll;  // likewise, their kind
   // Extensions to write; a name without one gets the first. Empty: a file is opened, or `writes` is set.
   std::vector<std::string> endings = {};
   bool several = false;  // an export of several meshes, for which formats that hold them offer a single file

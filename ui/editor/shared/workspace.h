@@ -23,7 +23,8 @@ namespace kerf {
 
 // The ids of the tools.
 inline constexpr const char *kLaserTool = "laser", *kPickTool = "pick", *kInspectTool = "inspect",
-                            *kRulerTool = "ruler", *kPathTool = "path", *kKnifeTool = "knife";
+                            *kRulerTool = "ruler", *kPathTool = "path", *kKnifeTool = "knife",
+                            *kDrawingTool = "drawing";
 
 // State of the mouse input.
 struct PointerInput {

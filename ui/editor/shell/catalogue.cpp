@@ -23,7 +23,7 @@ const std::vector<TabLayout> kTabLayout{
     {Tab::kCut,
      {{"laser", "Laser", true, {"laser.beam", "laser.heat", "laser.emitter"}},
       {"resolution", "Resolution", true, {"resolution.cut", "resolution.compare"}},
-      {"path", "Path", false, {"path"}},
+      {"path", "Path", false, {"path", "path.drawing"}},
       {"pieces", "Pieces", true, {"pieces.list", "pieces.placement", "pieces.explode"}},
       {"history", "History", true, {"history"}}}},
     {Tab::kView,
@@ -46,7 +46,7 @@ const std::vector<MenuLayout> kMenus{
     {"File",
      {"file.new", "file.open", "file.open_recent", "file.examples", kLine,
       "file.save", "file.save_as", kLine,
-      "pieces.export", "file.save_viewport_image", "file.save_screenshot", kLine,
+      "drawing.import", "pieces.export", "file.save_viewport_image", "file.save_screenshot", kLine,
       "file.play_game", kLine,
       "file.quit"}},
     {"Edit",
@@ -57,7 +57,8 @@ const std::vector<MenuLayout> kMenus{
       "pieces.hide", "pieces.show_all", "pieces.isolate", "pieces.rename", kLine,
       "pieces.move", "pieces.rotate"}},
     {"Tool",
-     {"tool.laser", "tool.knife", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", kLine,
+     {"tool.laser", "tool.knife", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", "tool.drawing",
+      kLine,
       "laser.recut", kLine,
       "stages.step_mode", "stages.step_last_cut", "stages.play", "stages.next", "stages.previous",
       "stages.finish_segment", "stages.finish_stroke"}},
@@ -65,6 +66,7 @@ const std::vector<MenuLayout> kMenus{
      {"path.run", kLine,
       "path.load", "path.save", "path.clear", "path.delete_point", kLine,
       "path.undo", "path.redo", kLine,
+      "drawing.cut", "drawing.cancel", kLine,
       "emitter.place", "emitter.fire", "emitter.remove"}},
     {"Physics",
      {"physics.play", "physics.step", "physics.slower", "physics.faster", kLine,
@@ -132,7 +134,7 @@ constexpr const char* kViewContext[] = {"view.frame_all",    "view.reset",      
 constexpr const char* kGestures[] = {"cut",          "cut_line",      "cut_polyline",
                                      "select",       "select_box",    "select_more",
                                      "move_piece",   "pull_piece",    "add_point",
-                                     "move_point",   "move_emitter",
+                                     "move_point",   "place_drawing", "move_emitter",
                                      "rename",       "orbit",         "pan",
                                      "move_section", "move_light",    "zoom",
                                      "context",      "fit_graph",     "look_along_axis",
@@ -450,6 +452,7 @@ Features make_features(Workspace& workspace, const Catalogue& catalogue) {
   features.push_back(light_feature(workspace));
   features.push_back(section_feature(workspace));
   features.push_back(emitter_feature(workspace));
+  features.push_back(drawing_feature(workspace));
   features.push_back(path_feature(workspace));
   features.push_back(transform_feature(workspace));
   features.push_back(time_feature(workspace));

@@ -34,8 +34,9 @@ TEST(FileBrowser, lists_folders_and_supported_files) {
 TEST(FileBrowser, lists_files_by_kind_and_creates_folders_with_free_names) {
   for (const auto& [name, kind] :
        {std::pair{"a.OBJ", FileKind::kMeshes}, std::pair{"b.json", FileKind::kScenes},
-        std::pair{"c.kerf", FileKind::kJournals}}) {
-    for (const FileKind other : {FileKind::kMeshes, FileKind::kScenes, FileKind::kJournals})
+        std::pair{"c.kerf", FileKind::kJournals}, std::pair{"d.SVG", FileKind::kDrawings}}) {
+    for (const FileKind other :
+         {FileKind::kMeshes, FileKind::kScenes, FileKind::kJournals, FileKind::kDrawings})
       EXPECT_EQ(is_of_kind(name, other), other == kind) << name;
     EXPECT_TRUE(is_of_kind(name, FileKind::kAll)) << name;
   }

@@ -1,0 +1,162 @@
+#include "ui/editor/path/drawing_placement.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+#include "core/base/random.h"
+#include "core/document/extract.h"
+#include "tests/support/made_meshes.h"
+
+namespace kerf {
+namespace {
+
+World world_with(const Soup& soup) {
+  World world;
+  world.add(make_body("body", test::build(soup)));
+  return world;
+}
+
+const std::vector<DrawnLine> kSquare{{{{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, true, ""}};
+const Vec2 kMiddle(0.1, 0.05);
+constexpr double kExtent = 0.22360679774997896;
+
+DrawingPlacement placed(DrawingMode mode, const CameraView& view, const Vec3& at) {
+  DrawingPlacement placement;
+  placement.mode = mode;
+  placement.view = view;
+  placement.anchor = {at, {0, 1, 0}};
+  return placement;
+}
+
+// Cuts along the lines with a knife and returns the areas of the pieces, ascending.
+std::vector<double> areas_after_cut(World& world, const DrawingPlacement& placement) {
+  const JobPlane start = placement.start(world.bounds(), placement.scale * kExtent);
+  const std::vector<BodyId> ids = world.ids();
+  for (const StrokePath& stroke : drawing_strokes(kSquare, kMiddle, start))
+    EXPECT_TRUE(cut_with_path(world, {stroke.keys, {0, 100}}, ids).ok());
+  std::vector<double> areas;
+  const Body& body = world.body(ids.front());
+  for (const auto& faces : faces_by_piece(body, false)) areas.push_back(extract_faces(body, faces).area);
+  std::sort(areas.begin(), areas.end());
+  return areas;
+}
+
+TEST(DrawingPlacement, along_an_orthographic_view_a_square_has_its_area_over_the_cosine_of_the_slope) {
+  Random random(21);
+  for (int run = 0; run < 20; ++run) {
+    const Vec3 eye(random.uniform(-3, 3), random.uniform(2, 4), random.uniform(-3, 3));
+    const CameraView view = look_at(eye, {0, 0, 0}, 1.4).pulled(CameraView::kFarAway);
+    World world = world_with(test::grid(7, 2));
+    DrawingPlacement placement = placed(DrawingMode::kView, view, {0.1, 0, 0.05});
+    placement.turn = random.uniform(-3, 3);
+    placement.scale = random.uniform(0.5, 2);
+    const double expected = 0.02 * placement.scale * placement.scale / std::abs(view.forward.y);
+    const std::vector<double> areas = areas_after_cut(world, placement);
+    ASSERT_EQ(areas.size(), 2u) << "seed 21, case " << run;
+    EXPECT_NEAR(areas[0], expected, 1e-12) << "seed 21, case " << run;
+  }
+}
+
+TEST(DrawingPlacement, along_a_perspective_view_lines_on_the_surface_look_as_on_the_screen) {
+  const CameraView view = look_at({1, 2, 3}, {0, 0, 0}, 1.4);
+  World world = world_with(test::sphere(40, 60, 1));
+  const Vec3 at = glm::normalize(Vec3(1, 2, 3));
+  const DrawingPlacement placement = placed(DrawingMode::kView, view, at);
+  const std::vector<ProjectedLine> lines = project_lines(kSquare, kMiddle, kExtent, placement, world);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].on_surface);
+  EXPECT_GT(lines[0].points.size(), 256u);
+  const double radius = 0.99;  // of the sphere inside the faces
+  Vec2 low(1e9), high(-1e9);
+  for (const Vec3& p : lines[0].points) {
+    EXPECT_GT(glm::length(p), radius);
+    EXPECT_LE(glm::length(p), 1 + 1e-12);
+    const Vec2 seen(view.project(p));
+    low = glm::min(low, seen);
+    high = glm::max(high, seen);
+  }
+  const double half_height = glm::dot(at - view.eye, view.forward) * view.tan_half_fov;
+  EXPECT_NEAR((high.x - low.x) * view.aspect, 0.2 / half_height, 1e-12);
+  EXPECT_NEAR(high.y - low.y, 0.1 / half_height, 1e-12);
+}
+
+TEST(DrawingPlacement, rays_through_a_point_of_the_plane_or_cylinder_find_it) {
+  Random random(22);
+  const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
+  for (const DrawingMode mode :
+       {DrawingMode::kPlane, DrawingMode::kAxis, DrawingMode::kView, DrawingMode::kWrap}) {
+    for (int run = 0; run < 50; ++run) {
+      const Vec3 eye(random.uniform(-2, 2), random.uniform(1, 2), random.uniform(3, 4));
+      DrawingPlacement placement = placed(mode, look_at(eye, {0, 0, 0}, 1.4), {0, 0.1, 0.9});
+      placement.anchor.normal = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 2));
+      placement.turn = random.uniform(-3, 3);
+      placement.scale = random.uniform(0.5, 2);
+      const JobPlane plane = placement.plane(bounds);
+      EXPECT_LT(glm::length(glm::cross(plane.right, plane.up) + plane.beam), 1e-12);
+      const Vec2 p(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
+      const Vec3 on = point_on(plane, p);
+      const auto found = drawing_point(plane, {eye, glm::normalize(on - eye)});
+      ASSERT_TRUE(found) << "seed 22, case " << run;
+      EXPECT_LT(glm::length(*found - p), 1e-12) << "seed 22, case " << run;
+    }
+  }
+}
+
+TEST(DrawingPlacement, the_anchor_lies_on_the_cylinder_unless_its_radius_is_set) {
+  const Bounds bounds{{-1, -2, -1}, {1, 2, 1}};
+  DrawingPlacement placement = placed(DrawingMode::kWrap, look_at({0, 0, 5}, {0, 0, 0}, 1), {0.3, 0.5, 0.4});
+  EXPECT_NEAR(placement.plane(bounds).wrap, 0.5, 1e-15);
+  EXPECT_LT(glm::length(point_on(placement.plane(bounds), Vec2(0)) - Vec3(0.3, 0.5, 0.4)), 1e-15);
+  placement.radius = 0.25;
+  EXPECT_LT(glm::length(point_on(placement.plane(bounds), Vec2(0)) - Vec3(0.15, 0.5, 0.2)), 1e-15);
+  // A quarter of the circumference round the axis.
+  const Vec3 aside = point_on(placement.plane(bounds), Vec2(0.25 * 1.5707963267948966, 0));
+  EXPECT_NEAR(glm::dot(aside, Vec3(0.15, 0, 0.2)), 0, 1e-15);
+}
+
+TEST(DrawingPlacement, lines_break_where_the_surface_does) {
+  World world;
+  world.add(make_body("low", test::build(test::grid(3, 2))));
+  Body high = make_body("high", test::build(test::grid(3, 2)));
+  high.placement.position = {1, 0.3, 0};  // covers x > 0
+  world.add(std::move(high));
+  const std::vector<DrawnLine> line{{{{-1.5, 0}, {0.5, 0}}, false, ""}};
+  DrawingPlacement placement = placed(DrawingMode::kAxis, look_at({0, 5, 1}, {0, 0, 0}, 1), {0, 0, 0});
+  const std::vector<ProjectedLine> parts = project_lines(line, {0, 0}, 2, placement, world);
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_FALSE(parts[0].on_surface);  // x < -1
+  EXPECT_TRUE(parts[1].on_surface && parts[2].on_surface);
+  for (const Vec3& p : parts[1].points) EXPECT_NEAR(p.y, 0, 1e-15);
+  for (const Vec3& p : parts[2].points) EXPECT_NEAR(p.y, 0.3, 1e-15);
+  EXPECT_NEAR(parts[1].points.front().x, -1, 0.01);
+  EXPECT_NEAR(parts[2].points.front().x, 0, 0.01);
+}
+
+TEST(DrawingPlacement, the_beam_of_a_plane_starts_near_its_surface_and_that_of_an_axis_outside_everything) {
+  World world;
+  world.add(make_body("floor", test::build(test::grid(3, 2))));
+  Body roof = make_body("roof", test::build(test::grid(3, 2)));
+  roof.placement.position = {0, 1, 0};
+  world.add(std::move(roof));
+  for (const DrawingMode mode : {DrawingMode::kPlane, DrawingMode::kAxis}) {
+    const DrawingPlacement placement = placed(mode, look_at({0, 5, 1}, {0, 0, 0}, 1), {0, 0, 0});
+    const double expected = mode == DrawingMode::kPlane ? 0 : 1;
+    for (const ProjectedLine& line : project_lines(kSquare, kMiddle, kExtent, placement, world)) {
+      for (const Vec3& p : line.points) EXPECT_NEAR(p.y, expected, 1e-15);
+    }
+  }
+}
+
+TEST(DrawingPlacement, long_drawings_have_a_bounded_number_of_points) {
+  std::vector<DrawnLine> lines;
+  for (int i = 0; i < 500; ++i) lines.push_back({{{0, 0.0001 * i}, {0.2, 0.0001 * i}}, false, ""});
+  const DrawingPlacement placement = placed(DrawingMode::kAxis, look_at({0, 5, 1}, {0, 0, 0}, 1), {0, 0, 0});
+  size_t points = 0;
+  for (const ProjectedLine& line :
+       project_lines(lines, kMiddle, kExtent, placement, world_with(test::grid(3, 2))))
+    points += line.points.size();
+  EXPECT_LE(points, kMaxProjected);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -142,6 +142,29 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         self.assertEqual(editor.quit()["state_hash"], whole)
 
+    def test_lines_that_the_thermal_beam_does_not_cut_through_are_marked_until_undo(self):
+        editor = self.open(PLATE)
+        drawing = os.path.join(self.folder, "a.svg")
+        with open(drawing, "w") as file:
+            file.write('<svg width="90mm" height="90mm" viewBox="0 0 90 90"><path d="M20 20h50v30"/></svg>')
+        editor.click("laser model", 0.5, 0.5)
+        editor.do("Down")
+        editor.do("Return")
+        for panel in ("panel laser", "panel resolution", "panel pieces", "panel history"):
+            editor.click(panel, 0.3, 0.5)
+        editor.drop(drawing)
+        editor.click("Speed", 0.5, 0.5)
+        editor.press("ctrl", "a")
+        editor.type("2 m/s")
+        editor.do("Return")
+        editor.click("header drawing.cut", 0.5, 0.5)
+        editor.settle()
+        report = editor.ask("report")
+        self.assertEqual((report["uncut_lines"], report["faces_removed"]), (1, 0))
+        self.assertTrue(editor.shows("uncut lines"))
+        editor.do("ctrl", "z")
+        self.assertNotIn("uncut_lines", editor.quit())
+
     def test_a_faulty_drawing_leaves_a_message_and_nothing_else(self):
         editor = self.open_drawing("<svg><path d='M0 0 L'/></svg>")
         report = editor.quit()

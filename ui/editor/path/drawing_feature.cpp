@@ -98,15 +98,20 @@ class DrawingFeature : public Feature {
 
   void update(double) override {
     load_waiting();
+    find_uncut();
     if (!is_shown() || workspace_.cutting()) return;
     preview_.update(*drawing_, placement_, workspace_.world(), PrimaryViewport(workspace_.view));
   }
-  void on_world_changed(const Delta&) override { preview_.invalidate(); }
+  void on_world_changed(const Delta&) override {
+    preview_.invalidate();
+    uncut_.clear();
+  }
   void on_document_opened() override {
     if (drawing_) remove();
   }
 
   void draw_overlay(ImDrawList& list) override {
+    draw_marks(list);
     if (!is_shown() || workspace_.cutting() || !preview_.is_valid()) return;
     const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
@@ -122,6 +127,7 @@ class DrawingFeature : public Feature {
     if (const auto middle = picture.place_of(plane().at)) landmarks.mark("drawing", {*middle, Vec2(0)});
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
+    if (!uncut_.empty()) report["uncut_lines"] = uncut_.size();
     if (!drawing_) return;
     size_t hits = 0, points = 0;
     for (const ProjectedLine& line : preview_.lines()) {
@@ -344,7 +350,7 @@ class DrawingFeature : public Feature {
       is_changed = choice_row("Axis", "##axis", placement_.axis, "X\0Y\0Z\0", "drawing axis",
                               "Axis of the cylinder, which goes through the middle of the scene.");
       double radius = plane().wrap;
-      if (length_field(fields_, "Cylinder Radius", radius, label_unit(radius, workspace_.view.frame.unit),
+      if (length_field(fields_, "Wrap Radius", radius, label_unit(radius, workspace_.view.frame.unit),
                        "Radius round which the drawing is wrapped.", "", kPositive)) {
         placement_.radius = radius;
         is_changed = true;
@@ -368,6 +374,7 @@ class DrawingFeature : public Feature {
     ImGui::Separator();
     secondary_text(drawing_->file.filename().string() + ", " +
                    count_text(drawing_->job.drawing.lines.size(), "line"));
+    for (const std::string& note : drawing_->job.notes) secondary_text(note);
     if (begin_properties("drawing")) {
       mode_row();
       axis_row();
@@ -384,7 +391,8 @@ class DrawingFeature : public Feature {
     if (row_button("Cut Drawing", 2, nullptr, "Cuts along the lines of the drawing (Enter)."))
       request_drawing_cut();
     ImGui::SameLine();
-    if (row_button("Remove", 2, nullptr, "Removes the drawing and cuts nothing (Esc).")) remove();
+    if (row_button("Remove", 2, nullptr, "Removes the drawing and cuts nothing (Esc).")) return remove();
+    draw_uncut_list();
   }
   void draw_layers() {
     for (size_t i = 0; i < drawing_->layers.size(); ++i) {
@@ -504,10 +512,38 @@ class DrawingFeature : public Feature {
         outcome.fail(failed("Drawing stopped; nothing was cut."));
       return outcome;
     };
+    uncut_.clear();
+    cut_strokes_.clear();
+    position_before_cut_ = workspace_.session.document.history().position();
+    if (workspace_.laser.model == Model::kThermal && !with_knife_) cut_strokes_ = *all;
     workspace_.changes.change("Cutting the drawing", false, cut,
                               "Drawing cut. Tool > Drawing shows it again.");
     workspace_.links.cut_once = true;
     if (workspace_.input.tool == kDrawingTool) workspace_.input.tool = tool_before_;
+  }
+
+  // Marks the lines that the thermal beam did not cut through, once the drawing is cut.
+  void find_uncut() {
+    const bool is_done = workspace_.session.document.waiting() == 0 && !workspace_.changes.is_pending();
+    if (cut_strokes_.empty() || !is_done) return;
+    const double diagonal = workspace_.world().bounds().diagonal();
+    const std::vector<StrokePath> all = std::exchange(cut_strokes_, {});
+    if (workspace_.session.document.history().position() == position_before_cut_) return;  // it failed
+    uncut_ = uncut_lines(all, workspace_.laser.settings(diagonal).laser.range, workspace_.world());
+  }
+  void draw_marks(ImDrawList& list) {
+    if (uncut_.empty() || workspace_.cutting()) return;
+    draw_uncut(uncut_, PrimaryViewport(workspace_.view), list);
+    workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
+                                    count_text(uncut_.size(), "line") + " not cut through", "uncut lines");
+  }
+  void draw_uncut_list() const {
+    if (uncut_.empty()) return;
+    secondary_text("Not cut through, with the share that is left:");
+    constexpr size_t kMaxListed = 12;
+    for (size_t i = 0; i < std::min(uncut_.size(), kMaxListed); ++i)
+      secondary_text(text_of("Line %zu: %.0f %%", uncut_[i].stroke + 1, 100 * uncut_[i].share));
+    if (uncut_.size() > kMaxListed) secondary_text(count_text(uncut_.size() - kMaxListed, "line") + " more");
   }
 
   Workspace& workspace_;
@@ -515,6 +551,9 @@ class DrawingFeature : public Feature {
   DrawingPlacement placement_;
   LayerTable layers_;
   size_t selected_layer_ = 0;
+  std::vector<StrokePath> cut_strokes_;  // being cut by the thermal beam
+  size_t position_before_cut_ = 0;       // of the history
+  std::vector<UncutLine> uncut_;         // of the last cut, until the world changes
   bool with_knife_ = false, first_surface_ = false;
   DrawingPreview preview_;
   NumberFields fields_;

@@ -6,6 +6,7 @@
 #include "core/base/random.h"
 #include "core/document/extract.h"
 #include "tests/support/made_meshes.h"
+#include "ui/editor/path/drawing_preview.h"
 
 namespace kerf {
 namespace {
@@ -145,6 +146,28 @@ TEST(DrawingPlacement, the_beam_of_a_plane_starts_near_its_surface_and_that_of_a
       for (const Vec3& p : line.points) EXPECT_NEAR(p.y, expected, 1e-15);
     }
   }
+}
+
+TEST(UncutLines, are_the_parts_where_the_axis_of_the_beam_meets_a_face) {
+  const World world = world_with(test::grid(3, 2));  // -1 <= x <= 1
+  const auto stroke = [](double from, double middle, double to) {
+    StrokePath path;
+    for (const double x : {from, middle, to}) path.keys.push_back({{x, 2, 0.1}, {0, -1, 0}});
+    path.times = {0, 1, 4};
+    return path;
+  };
+  const std::vector<StrokePath> strokes{stroke(-3, -2, -1.1), stroke(-2, 0, 3), stroke(-0.5, 0, 0.5)};
+  const std::vector<UncutLine> uncut = uncut_lines(strokes, {0, 5}, world);
+  ASSERT_EQ(uncut.size(), 2u);
+  EXPECT_EQ(uncut[0].stroke, 1u);
+  EXPECT_NEAR(uncut[0].share, (0.5 * 1 + 3.0 / 9 * 3) / 4, 0.03);
+  EXPECT_NEAR(uncut[1].share, 1, 1e-12);
+  for (const UncutLine& line : uncut) {
+    for (const auto& part : line.parts) {
+      for (const Vec3& p : part) EXPECT_TRUE(std::abs(p.y) < 1e-12 && std::abs(p.x) <= 1);
+    }
+  }
+  EXPECT_TRUE(uncut_lines(strokes, {0, 1.5}, world).empty()) << "the beam ends before the sheet";
 }
 
 TEST(DrawingPlacement, long_drawings_have_a_bounded_number_of_points) {

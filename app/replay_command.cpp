@@ -68,7 +68,7 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
   if (recording->torn) warn(recording->damage);
-  auto rules = load_rules(recording->rules, nullptr, recording->player);
+  auto rules = load_rules(recording->rules, nullptr, recording->player, recording->arena);
   if (!rules) return rules.error();
   if (film) {
     auto inputs = files_of_match(recording->rules, (*rules)->description);

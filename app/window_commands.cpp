@@ -18,6 +18,7 @@
 #include "ui/editor/editor.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/game/game.h"
+#include "ui/game/game_settings.h"
 #include "ui/screen/frame_loop.h"
 #include "ui/window/gui.h"
 #include "ui/window/window.h"
@@ -60,7 +61,7 @@ Status edit(const EditorArguments& a) {
 }
 
 struct PlayArguments {
-  std::string rules, driver, difficulty, report, record, size, landmarks, events;
+  std::string rules, arena, driver, difficulty, report, record, size, landmarks, events;
   uint64_t seed = 1;
   double seconds = 0;
   bool headless = false;
@@ -159,7 +160,12 @@ class PlayRun {
       if (!std::filesystem::is_directory(folder))
         return bad_input(std::string(option) + ": no such folder: " + folder.string());
     }
-    starts_ = arguments_.rules.empty() && arguments_.driver.empty() && arguments_.seconds == 0;
+    starts_ = arguments_.rules.empty() && arguments_.arena.empty() && arguments_.driver.empty() &&
+              arguments_.seconds == 0;
+    arena_ = arguments_.arena;
+    for (size_t i = 0; i < kArenaNames.size(); ++i) {
+      if (arguments_.arena == kArenaNames[i]) arena_ = arena_file(static_cast<GameArena>(i));
+    }
     if (arguments_.rules.empty()) arguments_.rules = (assets_folder() / "games" / "standard.json").string();
     return Done{};
   }
@@ -179,7 +185,7 @@ class PlayRun {
   Status load() {
     ProgressLine line("loading the match");
     const Progress progress = line.progress();
-    auto rules = load_rules(arguments_.rules, &progress);
+    auto rules = load_rules(arguments_.rules, &progress, {}, arena_);
     if (!rules) return error_or_stopped(rules.error());
     setup_.rules = std::move(*rules);
     return Done{};
@@ -253,6 +259,7 @@ class PlayRun {
     Recording recording;
     recording.rules = rules.file;
     recording.player = rules.player_file;
+    recording.arena = rules.arena_file;
     recording.files = *files;
     recording.seed = setup_.seed;
     recording.difficulty = setup_.difficulty;
@@ -266,7 +273,8 @@ class PlayRun {
   }
 
   PlayArguments arguments_;
-  bool starts_ = false;  // with the menu before a match
+  bool starts_ = false;          // with the menu before a match
+  std::filesystem::path arena_;  // empty: that of the rules
   MatchSetup setup_;
   std::vector<Controls> controls_;
   std::vector<double> tick_s_, frame_s_;
@@ -293,6 +301,8 @@ void add_play_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("play", "Play the game: car combat with roof-mounted lasers");
   auto a = std::make_shared<PlayArguments>();
   command->add_option("SCENE", a->rules, "The rules of a match (.json); the standard match without it");
+  command->add_option("--arena", a->arena,
+                      "The arena: yard, depot, or a file (.json); that of the rules without it");
   command->add_option("--driver", a->driver, "Driver: bot, or still for a parked car (you, in a window)");
   command->add_option("--difficulty", a->difficulty,
                       "easy, normal or hard (the last setting in a window, otherwise normal)");

@@ -5,6 +5,8 @@ import math
 from car_sheet import facing, grid, moved
 from turned import box, turned
 
+PLINTH = 0.95             # m, higher than the bumper of a vehicle
+
 
 def prism(stations, half_width, paint, axis="x"):
     """A solid between the planes at -half_width and +half_width across its axis.
@@ -76,14 +78,15 @@ def barrier_block(length):
     return sheet
 
 
-def ring_wall(half, profile, paint, cells):
-    """A wall around the square of this half size: profile of (distance outwards, height)."""
+def ring_wall(half_x, half_z, profile, paint, cells):
+    """A wall around a rectangle of these half sizes: profile of (distance outwards, height)."""
     sheet = []
     for quarter in range(4):
+        side, ahead = (half_x, half_z) if quarter % 2 == 0 else (half_z, half_x)
         rows = []
         for out, y in profile:
-            reach = half + out
-            line = [(-reach + 2 * reach * i / cells, y, reach) for i in range(cells + 1)]
+            reach = side + out
+            line = [(-reach + 2 * reach * i / cells, y, ahead + out) for i in range(cells + 1)]
             rows.append([_quarter_turned(p, quarter) for p in line])
         sheet += [(paint(i), polygon) for i, strip in enumerate(zip(rows, rows[1:]))
                   for _, polygon in grid(list(strip)[::-1], lambda r, c: "any")]
@@ -102,3 +105,22 @@ def turned_by(sheet, degrees, offset=(0, 0, 0)):
     s, c = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
     return moved([(material, tuple((x * c + z * s, y, z * c - x * s) for x, y, z in polygon))
                   for material, polygon in sheet], offset)
+
+
+def plinth(radius, top):
+    """A round foot, as wide at its foot as vehicles must keep away from what stands on it."""
+    profile = ((radius, 0.0), (radius, 0.5), (top, PLINTH), (0.0, PLINTH))
+    return turned(profile, 8, lambda r, c: "band" if r == 0 else "concrete")
+
+
+def plinths(places):
+    """The plinths below the lamp posts, gantries and stacks of an arena."""
+    sheet = []
+    for x, _, z, _ in places.get("lamp_post", ()):
+        sheet += moved(plinth(0.65, 0.45), (x, 0, z))
+    for x, _, z, degrees in places.get("gantry", ()):
+        for side in (-4.2, 4.2):
+            sheet += turned_by(moved(plinth(0.7, 0.5), (side, 0, 0)), degrees, (x, 0, z))
+    for x, _, z, _ in places.get("stack", ()):
+        sheet += moved(plinth(1.05, 0.8), (x, 0, z))
+    return sheet

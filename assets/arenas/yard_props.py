@@ -1,4 +1,4 @@
-"""What can be cut in the yard: thin painted sheet. Each prop stands on y = 0 about the origin."""
+"""The cuttable props of the arenas, of thin painted sheet. Each stands on y = 0 about the origin."""
 
 from car_sheet import facing, grid, moved
 from panel import panel, rectangle
@@ -66,6 +66,41 @@ def pylon():
             board.append(("sign_dark", [(x, low), (x + 0.25, low), (x + 0.6, middle),
                                         (x + 0.25, high), (x, high), (x + 0.35, middle)]))
         yield name, facing(panel(board, 0.5, lambda x, y, z=z: (x, y, z)), (1, 4.5, 99 * z))
+
+
+def lamp_post():
+    """A lamp post of 200 kg, on a foot plate."""
+    profile = ((0.0, 0.0), (0.40, 0.0), (0.12, 0.05), (0.11, 1.2), (0.105, 2.8), (0.095, 4.6), (0.08, 6.9),
+               (0.0, 6.9))
+    yield "post", turned(profile, 6, lambda r, c: "post")
+    yield "arm", tube([(0, 6.7, 0.06), (0, 7.0, 0.5), (0, 7.05, 1.5)], 0.045, "post", 4)
+    yield "head", box((0, 7.02, 1.85), (0.34, 0.14, 0.8), "post")
+    yield "glass", [("post_lamp", ((-0.14, 6.945, 1.5), (0.14, 6.945, 1.5), (0.14, 6.945, 2.2),
+                                   (-0.14, 6.945, 2.2)))]
+
+
+def gantry():
+    """Two legs and a girder with a board across a road of 8 m, nearly two tonnes in all."""
+    leg = ((0.0, 0.0), (0.44, 0.0), (0.19, 0.06), (0.18, 1.4), (0.18, 2.9), (0.18, 4.4), (0.0, 4.4))
+    for name, x in (("leg_left", 4.2), ("leg_right", -4.2)):
+        yield name, moved(turned(leg, 6, lambda r, c: "gantry_black" if r == 3 else "gantry_steel"),
+                          (x, 0, 0))
+    yield "girder", box((0, 4.7, 0), (9.0, 0.6, 0.5), "gantry_steel", (6, 1, 1))
+    low, high = 5.0, 6.0
+    middle = (low + high) / 2
+    board = [("sign_dark", rectangle(-2.2, low, 2.2, high))]
+    for x in (-1.7, -0.4, 0.9):
+        board.append(("sheet_yellow", [(x, low + 0.15), (x + 0.3, low + 0.15), (x + 0.65, middle),
+                                       (x + 0.3, high - 0.15), (x, high - 0.15), (x + 0.35, middle)]))
+    for name, z in (("board_front", 0.12), ("board_rear", -0.12)):
+        yield name, facing(panel(board, 1.1, lambda x, y, z=z: (x, y, z)), (0, middle, 99 * z))
+
+
+def stack():
+    """A chimney of sheet, three quarters of a tonne."""
+    profile = ((0.0, 0.0), (0.62, 0.0), (0.45, 0.08), (0.44, 2.0), (0.44, 4.0), (0.44, 6.0), (0.5, 7.2),
+               (0.5, 7.9), (0.0, 7.9))
+    yield "stack", turned(profile, 10, lambda r, c: "stack_band" if r in (3, 6) else "stack")
 
 
 def corrugated(length, low, high, waves, rows, depth):

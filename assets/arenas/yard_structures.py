@@ -1,12 +1,14 @@
-"""What stands fast in the yard: concrete, matt and grey, and what is seen beyond its walls."""
+"""The yard: its fixed structures of grey, matt concrete, its surroundings, and the places of its props."""
 
 import math
 
 from car_sheet import moved
-from concrete import barrier_block, column, frustum, prism, ring_wall, turned_by
+from concrete import (PLINTH, barrier_block, column, frustum, plinths, prism, ring_wall,
+                      turned_by)
 from turned import box, tube, turned
 
 HALF = 40.0               # m, from the middle to the walls
+SIZE, INTENSITY = [80, 80], 0.03
 BRIDGE_WIDTH, DECK, CLEAR = 7.0, 3.4, 2.9
 # (distance from the middle of the bridge, height of the road); no slope is over 12 degrees
 ROAD = ((7.0, DECK), (8.5, DECK - 0.15), (23.6, 0.15), (25.1, 0.0))
@@ -16,6 +18,29 @@ BLOCKS = [(10.5, 10.0, 35), (-10.5, 10.0, -35), (10.5, -10.0, -35), (-10.5, -10.
           (-21.5, -6.8, 10)]
 MASTS = [(x, z) for x in (-27.0, 27.0) for z in (-14.0, 14.0)]
 TALL = 13.0               # m, of the masts
+# (x, y, z, degrees from +z towards +x); those of falling props: see plinths().
+PLACES = {
+    "container": [(-21, 0, 24, 25), (-14.5, 0, 27.5, -60), (20, 0, 26, 85), (23, 0, -24, -20),
+                  (-24, 0, -22, 50), (-20.4, 2.59, 24.4, 32)],
+    "drum": [(-30.4, 0, 2, 15), (-17.5, 0, 22, 0), (-16.7, 0, 21.8, 40), (18, 0, 22.5, 0),
+             (18.8, 0, 22.2, 30), (24, 0, -18.5, 0), (24.8, 0, -18.9, 60), (23.5, 0, -19.3, 20),
+             (-21, 0, -17.8, 0), (-20.2, 0, -18.3, 50), (0.4, 0, 12, 0), (-0.4, 0, 11.6, 25),
+             (0.3, 0, -12, 0), (-0.5, 0, -11.7, 70)],
+    "barrier": [(-6, 0, 26, 90), (-6, 0, 28.3, 90), (6, 0, 31, 80), (6.2, 0, 33.3, 95),
+                (12, 0, -26, 90), (12, 0, -31, 90), (-12, 0, -25, 100), (-12, 0, -30, 85),
+                (33, 0, 14, 0), (30.6, 0, 14.4, 10), (-30, 0, -14, 0), (-32.4, 0, -14.3, -8)],
+    "pylon": [(-35.6, 0, -8, 0), (35.6, 0, 8, 180)],
+    "sign": [(36.8, 0, 36.8, 225), (-36.8, 0, 36.8, 135), (36.8, 0, -36.8, 315),
+             (-36.8, 0, -36.8, 45), (28.2, 0, 0, 270), (-28.2, 0, 0, 90)],
+    "lamp_post": [(-28, PLINTH, -26.5, 45), (28, PLINTH, 27.5, 225), (-28.5, PLINTH, 30, 90),
+                  (28.5, PLINTH, -28, 270), (-8.5, PLINTH, 31, 0), (15, PLINTH, -24, 180)],
+    "gantry": [(32.5, PLINTH, -17.5, 0), (-32.5, PLINTH, 16.5, 0)],
+    "stack": [(23.5, PLINTH, -12.6, 0), (-23.5, PLINTH, 12.6, 0)],
+}
+ENEMIES = [(33, 22, 180), (22, 34, 270), (34, -24, 0), (-20, 34, 90), (18, -35, 270), (-33, 25, 180),
+           (-18, 6, 180), (-10.5, -19.5, 270), (10, 22, 180), (22, -8, 270), (0.5, 35.5, 270), (34, 0, 180),
+           (-5, -8.5, 270), (6, -8.5, 90)]
+PLAYER = (-33, 0, -22)
 
 
 def walls():
@@ -23,7 +48,7 @@ def walls():
     profile = ((-0.42, 0.0), (-0.38, 0.10), (-0.16, 0.42), (0.0, 1.0), (0.0, 3.3), (-0.12, 3.3),
                (-0.12, 3.55), (0.52, 3.55), (0.52, 3.3), (0.4, 3.3), (0.4, 0.0))
     names = {0: "concrete_dark", 1: "concrete_dark", 2: "concrete_dark"}
-    sheet = ring_wall(HALF, profile, lambda i: names.get(i, "concrete"), 10)
+    sheet = ring_wall(HALF, HALF, profile, lambda i: names.get(i, "concrete"), 10)
     for quarter in range(4):
         for i in range(-4, 5):
             gate = quarter % 2 == 0 and abs(i) < 1
@@ -200,7 +225,7 @@ def backdrop():
 
 
 def structures():
-    """(name, sheet) of all that stands fast."""
+    """(name, sheet) of the fixed structures."""
     yield "walls", walls()
     yield "bridge", bridge()
     yield "columns", colonnades()
@@ -208,5 +233,6 @@ def structures():
     yield "blocks", [face for x, z, degrees in BLOCKS
                      for face in turned_by(barrier_block(3.2), degrees, (x, 0, z))]
     yield "masts", masts()
+    yield "plinths", plinths(PLACES)
     yield "markings", markings()
     yield "backdrop", backdrop()

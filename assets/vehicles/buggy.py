@@ -199,7 +199,6 @@ def buggy():
                                  "stripe": {"colour": "#26292d", "gloss": 0.4},
                                  "cage": {"colour": "#3f464f", "gloss": 0.6},
                                  "spring": {"colour": "#a8322a", "gloss": 0.6},
-                                 "tank": {"colour": "#8c2a25", "gloss": 0.6},
                                  "plate": {"colour": "#dfe2e4", "gloss": 0.5}})
     car.add(("body", tub()), ("frame", cage()), ("roof", roof()))
     rolling = [(radius, fittings.wheel(radius, width, rim, 5, (0.36, 0.84), knobs=0.016))

@@ -149,6 +149,11 @@ def controls(floor, z, width=1.0, height=1.0, x=car_cabin.DRIVER_X):
     yield "steering_wheel", moved(car_cabin.steering_wheel(), (x - car_cabin.DRIVER_X, rise, z))
 
 
+def tank(centre, size):
+    """A fuel tank, narrower at its top."""
+    return box(centre, size, "tank", (4, 2, 3), top=0.94)
+
+
 def hang_wheels(car, track, radius, axles, inner, driven, travel=0.22):
     """Joints of wheels and axles, and the wheels' entries; `driven` names the driven ends."""
     joints = car.joints

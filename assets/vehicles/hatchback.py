@@ -7,7 +7,7 @@ from car_shape import AXLES, WHEEL_RADIUS
 from car_sheet import moved
 from car_wheels import TRACK_X, axles, wheels
 from engine_block import engine, radiator
-from fittings import exhaust, hang_laser
+from fittings import exhaust, hang_laser, tank
 from vehicle import Vehicle
 
 LASER = (0.0, 1.405, -0.25)
@@ -29,7 +29,8 @@ def hatchback():
     car.add(*((SEATS[name], sheet) for name, sheet in seats()), *fittings())
     car.add(("engine", moved(engine(), (0, 0.46, 1.32))),
             ("radiator", moved(radiator(0.8, 0.36), (0, 0.44, 1.80))))
-    car.add(("exhaust", exhaust(-0.26, 0.14, 1.2, -2.06)))
+    car.add(("exhaust", exhaust(-0.26, 0.14, 1.2, -2.06)),
+            ("tank", tank((0.16, 0.30, -0.86), (0.56, 0.16, 0.34))))
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     describe(car)
@@ -66,6 +67,7 @@ def hold(car):
     joints.hold("engine", "body", [(0.5, 0.41, 1.27), (-0.5, 0.41, 1.27), (0.1, 0.2, 1.34),
                                    (-0.1, 0.2, 1.34)], 0.1)
     joints.hold("exhaust", "body", [(-0.26, 0.19, z) for z in (0.3, -0.9)], 0.1)
+    joints.hold("tank", "body", [(0.16, 0.2, z) for z in (-0.74, -0.98)], 0.12)
     joints.hold("radiator", "body", [(0.35, 0.25, 1.8), (-0.35, 0.25, 1.8)], 0.1)
     hang_laser(car, *LASER, "body")
 

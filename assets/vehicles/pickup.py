@@ -163,6 +163,7 @@ def pickup():
     car.add(*cab_fittings(coach))
     car.add(("engine", moved(engine(0.52, -0.28), (0, 0.72, 1.55))),
             ("radiator", moved(radiator(0.86, 0.44), (0, 0.78, 2.22))))
+    car.add(("tank", fittings.tank((0.62, 0.31, -0.62), (0.26, 0.22, 0.62))))
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     car.turret = roof_laser.description(*LASER)
@@ -212,6 +213,7 @@ def hold(car):
         joints.hold(name, "body", [(x, 0.57, 2.4 * sign) for x in (0.7, -0.7)], 0.1)
     for name in ("seat_driver", "seat_passenger", "dashboard"):
         joints.hold(name, "body", radius=0.14)
+    joints.hold("tank", "body", [(0.66, 0.43, z) for z in (-0.45, -0.8)], 0.12)
     joints.hold("steering_wheel", "dashboard", radius=0.07)
     joints.hold("engine", "body", [(0.52, 0.67, 1.5), (-0.52, 0.67, 1.5), (0.1, 0.43, 1.57),
                                    (-0.1, 0.43, 1.57)], 0.1)

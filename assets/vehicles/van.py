@@ -165,6 +165,7 @@ def van():
     car.add(*outside(coach))
     car.add(("engine", moved(engine(0.56, -0.33), (0, 0.63, 1.86))),
             ("radiator", moved(radiator(0.9, 0.40), (0, 0.62, 2.24))))
+    car.add(("tank", fittings.tank((0.28, 0.22, 0.35), (0.56, 0.12, 0.7))))
     car.add(*roof_laser.roof_laser(*LASER))
     hold(car)
     car.turret = roof_laser.description(*LASER)
@@ -211,6 +212,7 @@ def hold(car):
     for name in ("case_1", "case_2", "case_4", "seat_driver", "seat_passenger", "dashboard"):
         joints.hold(name, "body", radius=0.14)
     joints.hold("exhaust", "body", [(-0.3, 0.28, 0.8), (-0.3, 0.28, -2.3)], 0.1)
+    joints.hold("tank", "body", [(0.28, 0.285, z) for z in (0.1, 0.6)], 0.12)
     joints.hold("case_3", "case_1")
     joints.hold("steering_wheel", "dashboard", radius=0.07)
     for name, sign in (("bumper_front", 1), ("bumper_rear", -1)):

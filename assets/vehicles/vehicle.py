@@ -21,6 +21,7 @@ PAINTS = {
     "steel": {"colour": "#767d86", "gloss": 0.7},
     "engine": {"colour": "#5b6168", "gloss": 0.5},
     "engine_cover": {"colour": "#7a2a22", "gloss": 0.6},
+    "tank": {"colour": "#8c2a25", "gloss": 0.6},
     "grille": {"colour": "#22262b", "gloss": 0.4},
     "laser": {"colour": "#8b939c", "gloss": 0.7},
     "laser_dark": {"colour": "#2b3037", "gloss": 0.5},
@@ -38,6 +39,7 @@ class Vehicle:
         self.paints = {**{self._own[paint]: look for paint, look in paints.items()}, **PAINTS}
         self.parts = {}
         self.wheels, self.vital = [], []
+        self.tank = {"part": "tank", "mount": "body"}
         self.turret, self.driver_eye = None, None
         self.engine = {}      # force in N, power in W, top_speed in m/s
         self._joints = None
@@ -74,7 +76,7 @@ class Vehicle:
         entries = {
             "name": self.name, "mesh": f"../meshes/{self.name}.obj", "thickness": 0.0008,
             "density": 7850, "mass": self.mass, "wheels": self.wheels, "turret": self.turret,
-            "vital": self.vital, "driver_eye": self.driver_eye, "engine": self.engine,
+            "vital": self.vital, "tank": self.tank, "driver_eye": self.driver_eye, "engine": self.engine,
             "joints": self.joints.all,
             "paints": {name: paint for name, paint in self.paints.items() if name in used},
         }

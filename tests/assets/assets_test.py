@@ -1,4 +1,4 @@
-"""The vehicles, the arena and their programs in assets: run as `assets_test.py KERF`, with KERF the executable."""
+"""The vehicles, the arenas and their programs in assets: run as `assets_test.py KERF`, with KERF the executable."""
 import filecmp
 import json
 import math
@@ -14,7 +14,8 @@ from part_mesh import PartMesh
 KERF = os.path.abspath(sys.argv.pop(1))
 ASSETS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "assets")
 VEHICLES = ("buggy", "hatchback", "pickup", "van")
-PROGRAMS = ("meshes/make_car.py", "meshes/make_shapes.py", "vehicles/make_vehicles.py", "arenas/make_yard.py")
+ARENAS = ("yard", "depot")
+PROGRAMS = ("meshes/make_car.py", "meshes/make_shapes.py", "vehicles/make_vehicles.py", "arenas/make_arenas.py")
 
 
 def read_json(*path):
@@ -68,7 +69,7 @@ class Vehicle(unittest.TestCase):
     def test_has_the_parts_and_paints_named_in_its_file(self):
         turret = self.file["turret"]
         named = [turret["part"], turret["mount"], turret["barrel"]["part"]]
-        for entry in self.file["wheels"] + self.file["vital"]:
+        for entry in self.file["wheels"] + self.file["vital"] + [self.file["tank"]]:
             named += [entry["part"], entry["mount"]]
         for joint in self.file["joints"]:
             named += joint["parts"]
@@ -118,21 +119,18 @@ class Vehicle(unittest.TestCase):
 
 
 class Arena(unittest.TestCase):
+    """The tests of one arena; the class of each has its name."""
+
     @classmethod
     def setUpClass(cls):
-        cls.file = read_json("arenas", "yard.json")
+        cls.file = read_json("arenas", cls.name + ".json")
         cls.meshes = {body["mesh"]: read_mesh(os.path.basename(body["mesh"])[:-4]) for body in cls.file["bodies"]}
 
-    def test_has_fewer_than_twenty_thousand_faces_and_no_fault(self):
-        self.assertLess(sum(len(self.meshes[body["mesh"]].faces) for body in self.file["bodies"]), 20000)
+    def test_has_fewer_than_22000_faces_and_no_fault(self):
+        self.assertLess(sum(len(self.meshes[body["mesh"]].faces) for body in self.file["bodies"]), 22000)
         for name, mesh in self.meshes.items():
             self.assertEqual(mesh.faults(), [], name)
             self.assertLessEqual(mesh.materials, set(self.file["paints"]), name)
-
-    def test_the_scene_of_the_yard_defines_all_its_paints(self):
-        scene = read_json("scenes", "yard.json")
-        used = set().union(*(read_mesh(os.path.basename(body["mesh"])[:-4]).materials for body in scene["bodies"]))
-        self.assertEqual(used - set(scene["paints"]), set())
 
     def test_cuttable_bodies_are_glossy_and_fixed_ones_matt(self):
         for body in self.file["bodies"]:
@@ -141,7 +139,7 @@ class Arena(unittest.TestCase):
                 self.assertTrue(gloss >= 0.5 if body["cuttable"] else gloss <= 0.3, (body["name"], material))
 
     def test_no_road_is_steeper_than_twelve_degrees(self):
-        mesh = self.meshes["../meshes/yard.obj"]
+        mesh = self.meshes[f"../meshes/{self.name}.obj"]
         road = {f for part, faces in mesh.parts.items() if part.endswith("_asphalt") for f in faces}
         self.assertGreater(len(road), 20)
         for face in road:
@@ -171,8 +169,33 @@ class Arena(unittest.TestCase):
                 if 0.1 < py + b < 3:
                     yield math.hypot(px + a * cosine + c * sine - x, pz + c * cosine - a * sine - z)
 
+    def test_falling_props_stand_on_plinths_and_weigh_100_to_4000_kg(self):
+        fixed = self.meshes[f"../meshes/{self.name}.obj"]
+        plinths = [p for f in fixed.parts["plinths"] for p in fixed.corners(f)]
+        names = [b["name"] for b in self.file["bodies"] if b.get("position", [0, 0, 0])[1] == 0.95]
+        self.assertEqual({name.rsplit("_", 1)[0] for name in names}, {"lamp_post", "gantry", "stack"})
+        for body in self.file["bodies"]:
+            if body["name"] in names:
+                mesh = self.meshes[body["mesh"]]
+                area = sum(self.area(*mesh.corners(f)) for f in range(len(mesh.faces)))
+                self.assertTrue(100 < area * body["thickness"] * body["density"] < 4000, body["name"])
+        self.assertAlmostEqual(max(p[1] for p in plinths), 0.95)
+
+    @staticmethod
+    def area(a, b, c):
+        u, v = ([y - x for x, y in zip(a, q)] for q in (b, c))
+        return math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+
+
+class Games(unittest.TestCase):
+    def test_the_scene_of_the_yard_defines_all_its_paints(self):
+        scene = read_json("scenes", "yard.json")
+        used = set().union(*(read_mesh(os.path.basename(body["mesh"])[:-4]).materials for body in scene["bodies"]))
+        self.assertEqual(used - set(scene["paints"]), set())
+
     def test_the_rules_name_existing_files_and_fit_the_start_positions(self):
         games = sorted(os.listdir(os.path.join(ASSETS, "games")))
+        fewest = min(len(read_json("arenas", name + ".json")["starts"]["enemies"]) for name in ARENAS)
         self.assertEqual(games, ["lesson.json", "sandbox.json", "standard.json", "trial.json"])
         for game in games:
             rules = read_json("games", game)
@@ -180,7 +203,7 @@ class Arena(unittest.TestCase):
                      *(vehicle for wave in rules["waves"] for vehicle in wave)]
             for path in named:
                 self.assertTrue(os.path.isfile(os.path.join(ASSETS, "games", path)), path)
-            self.assertTrue(all(1 <= len(wave) <= len(self.file["starts"]["enemies"]) for wave in rules["waves"]))
+            self.assertTrue(all(1 <= len(wave) <= fewest for wave in rules["waves"]))
 
 
 class Loaded(unittest.TestCase):
@@ -205,9 +228,11 @@ class Loaded(unittest.TestCase):
 
 
 def load_tests(loader, tests, _):
-    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Generators, Arena, Loaded))
+    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in (Generators, Games, Loaded))
     for name in VEHICLES:
         suite.addTests(loader.loadTestsFromTestCase(type(name, (Vehicle,), {"name": name})))
+    for name in ARENAS:
+        suite.addTests(loader.loadTestsFromTestCase(type(name, (Arena,), {"name": name})))
     return suite
 
 

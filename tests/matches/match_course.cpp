@@ -79,7 +79,9 @@ void record_events(const Match& match, double now, MatchCourse& course) {
       dying.insert(event.vehicle);
       beams.insert(event.by);
     }
-    const bool own = event.vehicle == Match::kPlayer;
+    const bool own = event.vehicle == Match::kPlayer, enemy = !own && event.vehicle != Event::kNobody;
+    const bool cuts = event.kind == Event::Kind::kCut && event.by == Match::kPlayer;
+    if (enemy && cuts && !course.first_cut) course.first_cut = now;
     if (own && event.kind == Event::Kind::kCut && !course.first_hit) course.first_hit = now;
     if (own && event.kind == Event::Kind::kKilled && !course.first_death) course.first_death = now;
     const bool part = event.kind == Event::Kind::kPieceOff || event.kind == Event::Kind::kWheelLost;

@@ -13,6 +13,7 @@ struct MatchCourse {
   double score = 0;
   size_t enemies_destroyed = 0, wave = 0;
   std::optional<double> first_beam, first_part;  // s: of the player, and that came off an enemy
+  std::optional<double> first_cut;               // s: of an enemy by the player
   std::optional<double> first_hit, first_death;  // s: of the player's first car
   size_t parts = 0, moved_parts = 0;  // parts up to 300 kg that came off; moved by 5 cm within 0.3 s
   size_t kills_at_once = 0;           // the most vehicles that lost a vital part in a tick by different beams

@@ -32,11 +32,11 @@ void play_all(size_t count, Play play) {
   for (std::thread& thread : threads) thread.join();
 }
 
-// Matches of the seeds 1 .. count.
+// Matches of the seeds from `first` on.
 std::vector<MatchCourse> courses_of(const std::shared_ptr<const Rules>& rules, Difficulty level,
-                                    MatchDriver driver, size_t count, double seconds) {
+                                    MatchDriver driver, size_t first, size_t count, double seconds) {
   std::vector<MatchCourse> courses(count);
-  play_all(count, [&](size_t i) { courses[i] = play_course({rules, i + 1, level}, driver, seconds); });
+  play_all(count, [&](size_t i) { courses[i] = play_course({rules, first + i, level}, driver, seconds); });
   return courses;
 }
 
@@ -71,14 +71,14 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void print_matches(const std::vector<MatchCourse>& courses) {
+void print_matches(const std::vector<MatchCourse>& courses, size_t first) {
   for (size_t i = 0; i < courses.size(); ++i) {
     const MatchCourse& c = courses[i];
     std::printf(
         "  seed %2zu: %s after %5.1f s, wave %zu, %2zu destroyed, beam %4.1f s, part %4.1f s, hit %4.1f s, "
         "death "
         "%4.1f s, held %.1f s\n",
-        i + 1,
+        first + i,
         c.won    ? "won "
         : c.lost ? "lost"
                  : "runs",
@@ -89,12 +89,14 @@ void print_matches(const std::vector<MatchCourse>& courses) {
 
 void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
                  const std::vector<MatchCourse>& still) {
-  std::vector<double> lost;
+  std::vector<double> lost, lengths, contacts;
   size_t won = 0, beams = 0, parts = 0, at_once = 0, alive = 0;
   double held = 0;
   for (const MatchCourse& c : bots) {
     won += c.won;
     if (c.lost) lost.push_back(c.seconds);
+    lengths.push_back(c.seconds);
+    if (c.first_part && c.first_cut) contacts.push_back(*c.first_part - *c.first_cut);
     beams += c.first_beam && *c.first_beam <= kFirstBeam;
     parts += c.first_part && *c.first_part <= kFirstPart;
     at_once = std::max(at_once, c.kills_at_once);
@@ -111,23 +113,25 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
   }
   const size_t all = bots.size();
   std::printf(
-      "%-6s  won %zu of %zu, lost after %.0f s (median), first beam within %.0f s %zu, first part within "
+      "%-6s  won %zu of %zu, after %.0f s (median), lost after %.0f s (median), first part %.1f s after "
+      "contact "
+      "(median), first beam within %.0f s %zu, first part within "
       "%.0f s %zu, "
       "vital parts lost in a tick by several beams %zu, standing still alive after %.0f s %zu of %zu, %.0f s "
       "after the first hit %zu, held %.1f s, parts that moved %zu of %zu\n",
-      name_of(level), won, all, median(lost), kFirstBeam, beams, kFirstPart, parts, at_once, kStill, alive,
-      still.size(), kOutlives, outlived, held, moved, off);
+      name_of(level), won, all, median(lengths), median(lost), median(contacts), kFirstBeam, beams,
+      kFirstPart, parts, at_once, kStill, alive, still.size(), kOutlives, outlived, held, moved, off);
 }
 
 struct Wanted {
-  std::string rules, level;
+  std::string rules, arena, level;
   size_t count = 20, first = 1;
   double seconds = 600;
   bool each = false, endure = false;
 };
 
 int run(const Wanted& wanted) {
-  const auto rules = load_rules(wanted.rules);
+  const auto rules = load_rules(wanted.rules, nullptr, {}, wanted.arena);
   if (!rules) {
     std::fprintf(stderr, "%s\n", rules.error().message.c_str());
     return 2;
@@ -139,10 +143,11 @@ int run(const Wanted& wanted) {
       sound = endure_level(*rules, level, wanted.first, wanted.count, wanted.seconds) && sound;
       continue;
     }
-    const auto bots = courses_of(*rules, level, MatchDriver::kBot, wanted.count, wanted.seconds);
-    const auto still = courses_of(*rules, level, MatchDriver::kStill, wanted.count, kStill);
-    if (wanted.each) print_matches(bots);
-    if (wanted.each) print_matches(still);
+    const auto bots =
+        courses_of(*rules, level, MatchDriver::kBot, wanted.first, wanted.count, wanted.seconds);
+    const auto still = courses_of(*rules, level, MatchDriver::kStill, wanted.first, wanted.count, kStill);
+    if (wanted.each) print_matches(bots, wanted.first);
+    if (wanted.each) print_matches(still, wanted.first);
     print_level(level, bots, still);
     std::fflush(stdout);
   }
@@ -156,13 +161,14 @@ int main(int argc, char** argv) {
   CLI::App app{"Bot matches of each level without a window, in a table"};
   kerf::Wanted wanted;
   app.add_option("RULES", wanted.rules, "The rules of the matches (.json)")->required();
+  app.add_option("--arena", wanted.arena, "The arena (.json) instead of that of the rules");
   app.add_option("--level", wanted.level, "Only this level: easy, normal or hard");
   app.add_option("--matches", wanted.count, "How many of each level")->check(CLI::Range(1, 1000));
   app.add_option("--seconds", wanted.seconds, "The longest match")->check(CLI::Range(1, 3600));
   app.add_flag("--each", wanted.each, "A line for each match, too");
   app.add_flag("--endure", wanted.endure,
                "A line for each match with its ticks, memory, hash and faults instead");
-  app.add_option("--first", wanted.first, "The seed of the first match that endures");
+  app.add_option("--first", wanted.first, "The seed of the first match");
   CLI11_PARSE(app, argc, argv);
   return kerf::run(wanted);
 }

@@ -336,7 +336,7 @@ Status draw_match_figure(const std::filesystem::path& file, Ticks tick, const gl
   if (tick == 0 || recording->controls.size() < tick)
     return bad_input(file.string() + ": the match has " + std::to_string(recording->controls.size()) +
                      " ticks, and the figure needs tick " + std::to_string(tick));
-  auto rules = load_rules(recording->rules, nullptr, recording->player);
+  auto rules = load_rules(recording->rules, nullptr, recording->player, recording->arena);
   if (!rules) return rules.error();
   auto drawn = MatchPicture::create();
   if (!drawn) return drawn.error();
@@ -434,7 +434,7 @@ Status film_cut(const std::filesystem::path& journal, const FilmFormat& format, 
 Status film_fight(const std::filesystem::path& file, const FilmFormat& format, const Progress& progress) {
   const auto recording = read_recording(file);
   if (!recording) return recording.error();
-  auto rules = load_rules(recording->rules, nullptr, recording->player);
+  auto rules = load_rules(recording->rules, nullptr, recording->player, recording->arena);
   if (!rules) return rules.error();
   if (recording->controls.empty()) return bad_input(file.string() + ": the match has no ticks to film");
   const MatchSetup setup{*rules, recording->seed, recording->difficulty};

@@ -202,7 +202,7 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   if (menu_button("Resume (Esc)", "resume")) choice = MenuChoice::kResume;
   if (menu_button("Restart (R)", "restart")) choice = MenuChoice::kRestart;
   if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
-  if (view.ways.starts && menu_button("Change Mode, Difficulty or Car", "title")) choice = MenuChoice::kTitle;
+  if (view.ways.starts && menu_button("Change Mode, Arena or Car", "title")) choice = MenuChoice::kTitle;
   if (menu_button(view.ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   ImGui::Spacing();
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
@@ -252,7 +252,7 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   if (menu_button(label, "replay")) choice = MenuChoice::kReplay;
   ImGui::EndDisabled();
   if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
-  if (ways.starts && menu_button("Change Mode, Difficulty or Car", "title")) choice = MenuChoice::kTitle;
+  if (ways.starts && menu_button("Change Mode, Arena or Car", "title")) choice = MenuChoice::kTitle;
   if (menu_button(ways.from_editor ? "Back to Editor" : "Quit", "leave")) choice = MenuChoice::kLeave;
   end_menu();
   return choice;
@@ -267,10 +267,13 @@ MenuChoice draw_start_menu(const StartView& view) {
   if (!small) ImGui::TextUnformatted("Your car has a laser. Anything that you cut falls off.");
   ImGui::Spacing();
   bool other = draw_choice("Mode", s.mode, kModeTitles);
-  ImGui::TextWrapped("%s", kModeSummaries[static_cast<size_t>(s.mode)]);
-  ImGui::Spacing();
+  if (!small) {
+    ImGui::TextWrapped("%s", kModeSummaries[static_cast<size_t>(s.mode)]);
+    ImGui::Spacing();
+  }
   if (s.mode == GameMode::kWaves)
     other = draw_choice("Difficulty", s.difficulty, std::array{"Easy", "Normal", "Hard"}) || other;
+  other = draw_choice("Arena", s.arena, kArenaTitles) || other;
   other = draw_choice("Car", s.vehicle, kVehicleTitles) || other;
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
   if (menu_button("Start (Enter)", "start")) choice = MenuChoice::kStart;
@@ -280,7 +283,9 @@ MenuChoice draw_start_menu(const StartView& view) {
     choice = MenuChoice::kLeave;
   ImGui::Spacing();
   ImGui::TextDisabled("How to Wreck a Car");
-  ImGui::TextWrapped("%s", "Cut out its engine or driver's seat. Cut through a hub to take off the wheel.");
+  ImGui::TextWrapped("%s",
+                     "Cut out its engine or driver's seat. Cut through a hub to take off the wheel. Cut "
+                     "posts that fall on it.");
   ImGui::Spacing();
   draw_scores(view.scores, "High Scores", 0, s.mode == GameMode::kWaves);
   end_menu();

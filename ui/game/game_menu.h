@@ -40,7 +40,7 @@ enum class MenuChoice {
   kTitle,  // to the menu before a match
   kStart,
   kLesson,
-  kOther,   // another mode or car was selected in the menu before a match
+  kOther,   // another mode, arena or car was selected in the menu before a match
   kCancel,  // the question before the choice was declined
   kLeave
 };
@@ -86,8 +86,8 @@ struct StartView {
   bool from_editor = false;
 };
 
-// Draws the menu before a match over the window: mode, level, car, the rules for wrecking a car, and the
-// best scores. Returns kStart, kLesson, kLeave, or kOther if the mode or the car has changed.
+// Draws the menu before a match over the window: mode, level, arena, car, the rules for wrecking a car, and
+// the best scores. Returns kStart, kLesson, kLeave, or kOther if the mode or the car has changed.
 MenuChoice draw_start_menu(const StartView& view);
 
 }  // namespace kerf

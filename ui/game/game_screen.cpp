@@ -561,9 +561,9 @@ void GameScreen::go_to_start() {
   enter(State::kStart);
 }
 
-// The yard with the selected car is behind the menu.
+// The selected arena with the selected car is behind the menu.
 void GameScreen::show_choice() {
-  load(load_mode(settings_.mode, settings_.vehicle));
+  load(load_mode(settings_.mode, settings_.arena, settings_.vehicle));
   begin_match();
   const std::string difficulty = has_difficulties(match_->rules()) ? name_of(settings_.difficulty) : "";
   scores_ = high_scores_of(match_->rules().description.name, difficulty, high_scores_file());
@@ -592,7 +592,7 @@ void GameScreen::begin_lesson() {
 void GameScreen::end_lesson() {
   lesson_.reset();
   settings_.taught = true;
-  load(load_mode(settings_.mode, settings_.vehicle));
+  load(load_mode(settings_.mode, settings_.arena, settings_.vehicle));
   start();
 }
 

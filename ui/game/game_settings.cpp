@@ -11,10 +11,10 @@ namespace kerf {
 
 namespace {
 
-Result<std::shared_ptr<const Rules>> load(const char* rules, OwnVehicle vehicle) {
+Result<std::shared_ptr<const Rules>> load(const char* rules, GameArena arena, OwnVehicle vehicle) {
   const std::string name = kVehicleNames[static_cast<size_t>(vehicle)];
   return load_rules(assets_folder() / "games" / rules, nullptr,
-                    assets_folder() / "vehicles" / (name + ".json"));
+                    assets_folder() / "vehicles" / (name + ".json"), arena_file(arena));
 }
 
 namespace fs = std::filesystem;
@@ -56,12 +56,18 @@ HighScore score_from(const nlohmann::json& json) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, OwnVehicle vehicle) {
-  static constexpr std::array kRules{"standard.json", "trial.json", "sandbox.json"};
-  return load(kRules[static_cast<size_t>(mode)], vehicle);
+std::filesystem::path arena_file(GameArena arena) {
+  return assets_folder() / "arenas" / (std::string(kArenaNames[static_cast<size_t>(arena)]) + ".json");
 }
 
-Result<std::shared_ptr<const Rules>> load_lesson(OwnVehicle vehicle) { return load("lesson.json", vehicle); }
+Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, GameArena arena, OwnVehicle vehicle) {
+  static constexpr std::array kRules{"standard.json", "trial.json", "sandbox.json"};
+  return load(kRules[static_cast<size_t>(mode)], arena, vehicle);
+}
+
+Result<std::shared_ptr<const Rules>> load_lesson(OwnVehicle vehicle) {
+  return load("lesson.json", GameArena::kYard, vehicle);
+}
 
 static void describe(KeptFields& f, GameSettings& s) {
   f.any("version", 1, [](const nlohmann::json&) {});
@@ -77,6 +83,7 @@ static void describe(KeptFields& f, GameSettings& s) {
   f.flag("debug_views", s.debug_views);
   describe_keys(f, s.keys);
   f.choice("mode", s.mode, kModeNames);
+  f.choice("arena", s.arena, kArenaNames);
   f.choice("vehicle", s.vehicle, kVehicleNames);
   f.choice("difficulty", s.difficulty, kDifficulties);
   f.choice("preset", s.preset, kPresets);

@@ -24,8 +24,15 @@ enum class OwnVehicle { kHatchback, kBuggy, kPickup, kVan };
 inline constexpr std::array kVehicleNames{"hatchback", "buggy", "pickup", "van"};
 inline constexpr std::array kVehicleTitles{"Hatchback", "Buggy", "Pick-up", "Van"};
 
-// Loads the rules of a mode with the player's vehicle. Fails like load_rules().
-Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, OwnVehicle vehicle);
+enum class GameArena { kYard, kDepot };
+inline constexpr std::array kArenaNames{"yard", "depot"};
+inline constexpr std::array kArenaTitles{"Yard", "Depot"};
+
+// The file of an arena of the game.
+std::filesystem::path arena_file(GameArena arena);
+
+// Loads the rules of a mode with an arena and the player's vehicle. Fails like load_rules().
+Result<std::shared_ptr<const Rules>> load_mode(GameMode mode, GameArena arena, OwnVehicle vehicle);
 
 // Loads the rules of the tutorial (see Lesson).
 Result<std::shared_ptr<const Rules>> load_lesson(OwnVehicle vehicle);
@@ -52,6 +59,7 @@ struct GameSettings {
   KeyBindings keys = default_bindings();
   Difficulty difficulty = Difficulty::kNormal;
   GameMode mode = GameMode::kWaves;
+  GameArena arena = GameArena::kYard;
   OwnVehicle vehicle = OwnVehicle::kHatchback;
   PicturePreset preset = PicturePreset::kAutomatic;
 

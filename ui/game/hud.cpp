@@ -120,8 +120,10 @@ void box(const HudPaint& paint, ImVec2 a, ImVec2 b, ImU32 colour, bool works) {
   paint.line({low.x, high.y}, {high.x, low.y}, kBad, 1.5f);
 }
 
+constexpr double kTankHalf = 0.13;  // m, of the square that stands for a fuel tank
+
 // Draws a vehicle from above in a rectangle of height `height` around `middle`: its outline, wheels, laser,
-// engine and driver. Lost parts are crossed out.
+// engine, driver and fuel tank. Lost parts are crossed out.
 void draw_vehicle_sketch(const Vehicle& vehicle, const HudPaint& paint, ImVec2 middle, float height) {
   const Vec2 half = half_size(vehicle);
   const Plan plan{middle, height / static_cast<float>(2 * half.y)};
@@ -145,6 +147,11 @@ void draw_vehicle_sketch(const Vehicle& vehicle, const HudPaint& paint, ImVec2 m
     const double w = left * (engine ? 0.34 : 0.2), l = left * (engine ? 0.24 : 0.22);
     box(paint, plan(at.x - w, at.z - l), plan(at.x + w, at.z + l), colours::kPictureSecondary,
         vehicle.vital_works[i]);
+  }
+  if (vehicle.what().tank) {
+    const Vec3& at = vehicle.model->tank_centre;
+    box(paint, plan(at.x - kTankHalf, at.z - kTankHalf), plan(at.x + kTankHalf, at.z + kTankHalf),
+        colours::accent(), vehicle.tank_whole);
   }
   const Vec3& pivot = vehicle.what().turret.pivot;
   const float radius = 0.17f * plan.scale;

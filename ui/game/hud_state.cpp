@@ -162,6 +162,11 @@ void HudState::on_event(const Match& match, const Event& event) {
       return add_line((own ? "you lost your " : "") + std::string(name_of_vital(*what, event.part)) +
                           (own ? "" : " cut out"),
                       event.points, !own);
+    case Kind::kTankBurst:
+      return add_line(whose + kTankName + " burst", event.points, !own, own);
+    case Kind::kStruck:
+      return add_line(own ? "struck by a falling part" : (what ? what->name : "enemy") + " struck",
+                      event.points, !own, true);
     case Kind::kInHalves:
       return add_line(own ? "you were cut in half" : "cut in half!", event.points, !own, true);
     case Kind::kKilled:

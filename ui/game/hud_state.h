@@ -15,6 +15,7 @@ std::string end_reason(const Match& match, size_t killer = Event::kNobody);
 // Display names of parts of a vehicle: "engine", "front left wheel".
 const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
 std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel);
+inline constexpr const char* kTankName = "fuel tank";
 
 // A line about a recent event, shown for a while.
 struct Notice {

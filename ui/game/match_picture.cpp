@@ -162,6 +162,9 @@ constexpr double kScorched = 0.4;     // kg/s, of a surface that stops a beam
 constexpr double kSparks = 5;         // m/s, minimum for sparks in a crash
 constexpr double kCrashSize = 2;      // of crash sparks
 constexpr double kRubbedOff = 0.035;  // kg per m/s of a crash
+constexpr int kBurstJets = 8;         // of a fuel tank
+constexpr double kBurstSize = 3;
+constexpr double kBurstMass = 0.3;  // kg, of each jet
 
 Paint paint_of(const Match& match, const std::string& name) {
   for (const Vehicle& v : match.vehicles()) {
@@ -306,10 +309,22 @@ void MatchPicture::follow(const Match& match) {
     if (event.kind == Event::Kind::kImpact && event.size >= kSparks)
       particles_.add({event.at, {0, -1, 0}, kCrashSize, kRubbedOff * event.size}, {0, 1, 0});
     rings_.add(event);
+    if (event.kind == Event::Kind::kTankBurst) add_burst(event.at);
+    if (event.kind == Event::Kind::kStruck)
+      particles_.add({event.at, {0, -1, 0}, kCrashSize, kRubbedOff * kSparks}, {0, 1, 0});
     if (event.kind != Event::Kind::kCut) continue;
     const size_t by = event.by < match.vehicles().size() ? event.by : Match::kPlayer;
     const auto& last = match.vehicles()[by].gun.last;
     particles_.add({event.at, last ? last->direction : Vec3(0, -1, 0), kBiteSize, event.size}, {0, 1, 0});
+  }
+}
+
+// Flying fire in all directions.
+void MatchPicture::add_burst(const Vec3& at) {
+  for (int i = 0; i < kBurstJets; ++i) {
+    const double angle = 2 * kPi * i / kBurstJets;
+    const Vec3 inward = glm::normalize(Vec3(std::cos(angle), -0.8, std::sin(angle)));
+    particles_.add({at, inward, kBurstSize, kBurstMass}, {0, 1, 0});
   }
 }
 

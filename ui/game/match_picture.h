@@ -210,6 +210,7 @@ class MatchPicture {
  private:
   explicit MatchPicture(Renderer renderer) : renderer_(std::move(renderer)) {}
   void dress(const Match& match, PicturePreset preset);
+  void add_burst(const Vec3& at);
 
   Renderer renderer_;
   ViewOptions look_;

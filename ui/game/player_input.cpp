@@ -35,6 +35,7 @@ std::string name_on_chassis(const Vehicle& vehicle, const Vec3& at) {
   for (size_t i = 0; i < what.wheels.size(); ++i)
     offer(what.wheels[i].hub, vehicle.wheels[i].attached, "hub of the " + name_of_wheel(what, i));
   offer(what.turret.pivot, vehicle.gun.turret_attached, "laser mount");
+  if (what.tank) offer(vehicle.model->tank_centre, vehicle.tank_whole, kTankName);
   return name;
 }
 
@@ -120,6 +121,7 @@ std::vector<Vec3> parts_to_cut(const Vehicle& vehicle) {
     if (vehicle.vital_works[i]) parts.push_back(vehicle.model->vital_centres[i]);
   }
   if (vehicle.gun.turret_attached) parts.push_back(what.turret.pivot);
+  if (what.tank && vehicle.tank_whole) parts.push_back(vehicle.model->tank_centre);
   return parts;
 }
 

@@ -344,6 +344,12 @@ void MatchSounds::on_tick(const Match& match) {
       case Kind::kImpact:
         if (e.size > kSoftImpact) sounds_.play(Shot::kImpact, e.at, std::min(1.0, e.size / kLoudImpact));
         break;
+      case Kind::kStruck:
+        sounds_.play(Shot::kImpact, e.at, 1, 0.7);
+        break;
+      case Kind::kTankBurst:
+        sounds_.play(Shot::kExplosion, e.at, 0.8, 1.4);
+        break;
       case Kind::kKilled:
         sounds_.play(Shot::kExplosion, e.at, 1);
         break;

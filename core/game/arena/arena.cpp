@@ -265,8 +265,24 @@ void FreeSpace::find_blocked(const std::vector<Triangle>& faces, std::vector<boo
   }
   for (Spot spot = 0; spot < spots(); ++spot) {
     const Vec3 p = glm::abs(place_of(spot));
-    if (p.x > half_.x - kMargin || p.z > half_.y - kMargin || !has_floor(spot)) blocked[spot] = true;
+    const bool at_edge = p.x > half_.x - kMargin || p.z > half_.y - kMargin;
+    if (at_edge || !has_floor(spot) || is_parapet(spot)) blocked[spot] = true;
   }
+}
+
+// Returns true if a spot of the upper floor is the top of something that stands on the floor next to it.
+bool FreeSpace::is_parapet(Spot spot) const {
+  if (spot < cells()) return false;
+  const int x = static_cast<int>(spot - cells()) % columns_, z = static_cast<int>(spot - cells()) / columns_;
+  for (int dz = -1; dz <= 1; ++dz) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (!is_inside(x + dx, z + dz)) continue;
+      const Spot next = spot_of(x + dx, z + dz, true);
+      const double over = heights_[spot - cells()] - heights_[next - cells()];
+      if (has_floor(next) && over > kStep && over < kRoof) return true;
+    }
+  }
+  return false;
 }
 
 bool FreeSpace::has_floor(Spot spot) const { return spot < cells() || heights_[spot - cells()] > ground_; }

@@ -118,8 +118,8 @@ std::vector<Triangle> fixed_faces(const Arena& arena);
 bool is_drivable(const Triangle& t);
 
 // The drivable space of an arena: a grid of spots on two floors. The lower floor is the ground; the upper
-// one is the highest slope below kHighest, such as ramps and bridges. A spot is blocked if a fixed body
-// leaves no room for a vehicle above it, or if it cannot be reached from the start of the player.
+// one is the highest slope below kHighest, such as ramps and bridges, without parapets. A spot is blocked if a
+// fixed body leaves no room for a vehicle above it, or if it cannot be reached from the start of the player.
 class FreeSpace {
  public:
   static constexpr double kCell = 0.75;    // m
@@ -173,6 +173,7 @@ class FreeSpace {
   }
   bool is_step(Spot from, Spot to) const;
   bool has_floor(Spot spot) const;
+  bool is_parapet(Spot spot) const;
   int column(double x) const;
   int row(double z) const;
 

@@ -26,8 +26,6 @@ Vec3 centre_of(const Body& body) {
   return body.placement.to_world(0.5 * (box.min + box.max));
 }
 
-double mass_of_sheet(const Body& body) { return area_of(body) * body.sheet.thickness * body.sheet.density; }
-
 // Normal of the plane that the beam swept, towards the part. Without a stroke the parts move apart as their
 // centres lie.
 Vec3 across_cut(const Vec3& apart, const CutTrail* trail) {
@@ -70,12 +68,21 @@ Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest)
   const Vec3 across = across_cut(centre_of(part) - from, trail);
   const Vec3 along = trail ? unit_or_zero(trail->along) : Vec3(0);
   Vec3 change = kAcross * across + kAlong * along;
-  const bool heavy = mass_of_sheet(part) > kHeavyPart;
+  const bool heavy = mass_of(part) > kHeavyPart;
   if (heavy) change = kAcross * unit_or_zero(change * Vec3(1, 0, 1));
   add_motion(part, change, heavy ? kHeavyTurn : kTurn);
-  if (moves_rest && !rest.pinned && rest.tree.leaf_count() > 0 && mass_of_sheet(rest) <= kHeavyPart)
+  if (moves_rest && !rest.pinned && rest.tree.leaf_count() > 0 && mass_of(rest) <= kHeavyPart)
     add_motion(rest, -change, kTurn);
   return across;
+}
+
+Vec3 topple(Body& rest, Body& part, const CutTrail* trail) {
+  if (part.tree.leaf_count() == 0 || rest.tree.leaf_count() == 0)
+    return part_at_cut(rest, part, trail, false);
+  const bool is_upper = centre_of(part).y >= centre_of(rest).y;
+  Body &upper = is_upper ? part : rest, &lower = is_upper ? rest : part;
+  const Vec3 across = part_at_cut(lower, upper, trail, mass_of(upper) < kHeavyProp);
+  return is_upper ? across : -across;
 }
 
 void pop_off(Body& part, const Vec3& outward, const CutTrail* trail) {

@@ -29,11 +29,17 @@ class CutTrails {
 
 // Mass above which a part does not fly off its cut but only tips over [kg].
 inline constexpr double kHeavyPart = 300;
+// Mass from which the part of a prop that stays below its cut is not moved [kg].
+inline constexpr double kHeavyProp = 100;
 
 // Moves a part away from the body that it was cut off: across the cut, along the stroke, and tipping over.
 // `trail`: of that body; may be null. A light `rest` is moved the opposite way if `moves_rest`. Returns the
 // direction across the cut, a unit vector towards the part.
 Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest);
+
+// Likewise for the parts of a prop: the upper one moves, and a heavy prop falls over in the direction of the
+// stroke. Light ones are both moved.
+Vec3 topple(Body& rest, Body& part, const CutTrail* trail);
 
 // Makes a wheel or a laser fly off its mount along `outward` (unit, world). `trail` may be null.
 void pop_off(Body& part, const Vec3& outward, const CutTrail* trail);

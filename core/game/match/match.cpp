@@ -211,6 +211,9 @@ void Match::begin_wave(const WaveStart& start) {
   enemies_.clear();
   numbers_.clear();
   trails_.clear();
+  cutters_.clear();
+  falling_.clear();
+  bursting_.clear();
   loot_.clear();
   in_air_ = 0;
   upgraded_ = false;
@@ -427,10 +430,15 @@ std::vector<BodyId> Match::carried() const {
 void Match::move_bodies(PlacementsBefore& before) {
   for (const BodyId id : world().ids()) before[id] = world().body(id).placement;
   const std::vector<Vec3> velocities_before = velocities();
+  const std::vector<Motion> falling_before = falling_motions();
   world_.move(guided(), carried());
   for (const Vehicle& vehicle : vehicles_) glide_along(world_.world(), vehicle, obstacles_);
   world_.keep_inside(rules().arena.description);
   record_impacts(velocities_before);
+  if (!standing().over()) {
+    strike(falling_before, before);
+    burst_tanks();
+  }
   for (const Vehicle& vehicle : vehicles_) {
     place_carried(world_.world(), vehicle);
     world_.record_placed(carried_bodies(vehicle));
@@ -475,6 +483,7 @@ void Match::fire_beams(const PlacementsBefore& before) {
         if (cut.delta.removed_faces == 0) continue;
         tally_.record_cut(v, vehicle_of(id), id, world().body(id), cut);
         trails_.record(id, tally_.events().back().at, muzzle_pose(world(), vehicle).direction);
+        if (vehicle_of(id) == Event::kNobody) cutters_[id] = v;
       }
     };
     // The second beam first: the first one sets the pose at the end of the tick.
@@ -494,13 +503,15 @@ void Match::separate() {
     const size_t victim = vehicle_of(piece.from);
     const Vehicle* vehicle = victim != Event::kNobody ? &vehicles_[victim] : nullptr;
     if (vehicle) body.sheet = vehicle->what().body.sheet;
+    if (!vehicle) follow_fall(piece);
     const bool is_thrown = vehicle && thrown_[victim] != Vec3(0);
     Vec3 across(0);
     if (is_thrown) {
       body.motion.velocity += thrown_[victim];
     } else if (world().contains(piece.from)) {
       Body& rest = world_.world().body(piece.from);
-      across = part_at_cut(rest, body, trails_.of(piece.from), !vehicle);
+      across = vehicle ? part_at_cut(rest, body, trails_.of(piece.from), false)
+                       : topple(rest, body, trails_.of(piece.from));
     }
     if (standing().over()) continue;
     tally_.record_piece(
@@ -517,6 +528,7 @@ void Match::assess() {
     const Damage damage = assess_damage(world_.world(), vehicles_[v]);
     pop_off_lost(v, damage);
     tally_.record_damage(world(), v, vehicles_[v], damage);
+    if (damage.tank) bursting_.push_back(v);
   }
 }
 

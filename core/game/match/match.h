@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -96,6 +97,10 @@ class Match {
     Ticks until;
   };
   static constexpr double kLootSeconds = 20, kLootReach = 2.5;
+  // A part of the arena of this mass [kg] that a beam cut damages the vehicles that it falls on within
+  // kFallSeconds.
+  static constexpr Interval kFallingMass{kHeavyProp, 4000};
+  static constexpr double kFallSeconds = 6;
   const std::vector<LootPart>& loot() const { return loot_; }
   // Returns true if an upgrade was selected in this pause between two waves.
   bool has_upgraded() const { return upgraded_; }
@@ -127,6 +132,11 @@ class Match {
   void crash(size_t vehicle, const Vec3& at, const Vec3& change);
   void fire_beams(const PlacementsBefore& before);
   void separate();
+  void follow_fall(const Detached& piece);
+  std::vector<Motion> falling_motions() const;
+  void strike(const std::vector<Motion>& motions, const PlacementsBefore& before);
+  void burst_tanks();
+  void push_from(const Vec3& at, size_t burst);
   void assess();
   void pop_off_lost(size_t vehicle, const Damage& damage);
   void recover();
@@ -155,6 +165,16 @@ class Match {
   std::vector<size_t> numbers_;  // of these, in the wave of the rules
   bool asked_ = false;           // a vehicle was requested in the last tick
   CutTrails trails_;
+  // A part of the arena that a beam cut.
+  struct FallingBody {
+    BodyId body;
+    size_t by;                   // vehicle whose beam cut it
+    Ticks until;                 // see kFallSeconds
+    std::vector<size_t> struck;  // vehicles
+  };
+  std::map<BodyId, size_t> cutters_;  // by body of no vehicle, the vehicle that last cut it
+  std::vector<FallingBody> falling_;
+  std::vector<size_t> bursting_;  // vehicles whose fuel tanks were cut in the last tick
   std::vector<LootPart> loot_;
   Ticks in_air_ = 0;          // for which no wheel of the player's car has been on the ground
   bool upgraded_ = false;     // an upgrade was selected in this pause

@@ -93,6 +93,7 @@ void describe_head(Fields& f, Recording& recording) {
   f.format(kRecordingFormat);
   f.path("rules", recording.rules);
   if (f.present("player", !recording.player.empty())) f.path("player", recording.player);
+  if (f.present("arena", !recording.arena.empty())) f.path("arena", recording.arena);
   f.coded("files", recording.files, parse_hash, hash_text, kHashRule);
   f.whole("seed", recording.seed, 0, kMaxSeed);
   f.choice("difficulty", recording.difficulty, kNames);

@@ -15,7 +15,7 @@ namespace kerf {
 
 // The format of recordings: incremented when other versions of Kerf cannot read them, or when equal inputs
 // lead to another world than before. Older formats are not read.
-inline constexpr uint64_t kRecordingFormat = 2;
+inline constexpr uint64_t kRecordingFormat = 3;
 
 // Maximum seed and duration [s] of a recorded match.
 inline constexpr uint64_t kMaxSeed = 1'000'000'000'000'000;
@@ -23,18 +23,19 @@ inline constexpr size_t kMaxSeconds = 36'000;
 
 // A match as its file holds it, one JSON object a line:
 //
-//   {"kerf": "match", "format": 1, "program": "0.1.0", "rules": "games/standard.json",
+//   {"kerf": "match", "format": 3, "program": "0.1.0", "rules": "games/standard.json",
 //    "files": "0123456789abcdef", "seed": 1, "difficulty": "normal"}
 //   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}
 //
 // "format" and "program": see Fields::format. "files": the hash of the rules and of all files that they
-// name. "player": the vehicle file, if the player drove another vehicle than that of the rules. Each input
+// name. "player" and "arena": the files of the player's vehicle and of the arena, if they differ from those
+// of the rules. Each input
 // is a number of ticks with equal controls of the player; a line holds a second. Buttons are the sum of 1
 // (handbrake), 2 (request a vehicle), 4 (give up), 8 (boost) and 16 times the upgrade. The hash is that of
 // the final world.
 struct Recording {
-  std::filesystem::path rules, player;  // player: empty if it is that of the rules
+  std::filesystem::path rules, player, arena;  // the last two: empty if they are those of the rules
   uint64_t files = 0, seed = 1;
   Difficulty difficulty = Difficulty::kNormal;
   std::vector<Controls> controls;  // by tick

@@ -129,6 +129,8 @@ static void describe(Fields& f, Scores& scores) {
   f.number("at_a_stroke", scores.at_a_stroke, kPoints, kOptional);
   f.number("clean", scores.clean, kPoints, kOptional);
   f.number("air", scores.air, kPoints, kOptional);
+  f.number("struck", scores.struck, kPoints, kOptional);
+  f.number("tank", scores.tank, kPoints, kOptional);
   f.value(
       "medals", [&](const JsonValue& value) { return read_medals(value, scores.medals); }, nullptr,
       kOptional);
@@ -163,14 +165,19 @@ Result<RulesDescription> read_rules(const std::filesystem::path& file) {
 }
 
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file, const Progress* progress,
-                                                const std::filesystem::path& player_file) {
+                                                const std::filesystem::path& player_file,
+                                                const std::filesystem::path& arena_file) {
   auto description = read_rules(file);
   if (!description) return description.error();
   if (!player_file.empty()) description->player = player_file;
+  const bool elsewhere =
+      !arena_file.empty() && arena_file.lexically_normal() != description->arena.lexically_normal();
+  if (elsewhere) description->arena = arena_file;
   auto rules = std::make_shared<Rules>();
   rules->description = std::move(*description);
   rules->file = file;
   rules->player_file = player_file;
+  if (elsewhere) rules->arena_file = arena_file;
   const RulesDescription& what = rules->description;
   size_t vehicles = 1 + what.spawns.size();
   for (const auto& wave : what.waves) vehicles += wave.size();
@@ -179,6 +186,7 @@ Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& fil
   auto arena_description = read_arena(what.arena);
   if (!arena_description) return arena_description.error();
   if (const Status placed = check_starts(file, what, *arena_description); !placed) return placed.error();
+  if (elsewhere) rules->description.name += ", " + arena_description->name;
   auto arena = load_arena(std::move(*arena_description), &of_arena);
   if (!arena) return arena.error();
   rules->arena = std::move(*arena);
@@ -253,6 +261,11 @@ void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& bod
   record.last_cut_by = shooter;
   record.changed = true;
   if (shooter == kPlayer && record.first_stroke == 0) record.first_stroke = strokes_;
+}
+
+void Tally::blame(size_t victim, size_t by) {
+  records_[victim].last_cut_by = by;
+  records_[victim].changed = true;
 }
 
 void Tally::record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,

@@ -36,6 +36,8 @@ struct Scores {
   double at_a_stroke = 600;    // it dies during the stroke that first cut it
   double clean = 0;            // a part comes off whole (see is_clean)
   double air = 0;              // for each second of a jump
+  double struck = 800;         // a cut post, gantry or stack falls on an enemy
+  double tank = 200;           // its fuel tank bursts
   std::vector<double> medals;  // bronze, silver, gold: the least scores; none if empty
 };
 
@@ -72,7 +74,8 @@ struct RulesDescription {
 //                              "enemy_distance": 16, "enemies_at_once": 1},
 //                     "normal": {..}, "hard": {..}},
 //    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
-//              "in_halves": 400, "at_a_stroke": 600, "clean": 50, "air": 50, "medals": [500, 1500, 3000]},
+//              "in_halves": 400, "at_a_stroke": 600, "clean": 50, "air": 50, "struck": 800, "tank": 200,
+//              "medals": [500, 1500, 3000]},
 //    "cars": 3, "targets": false, "spawns": ["../vehicles/van.json"]}
 //
 // Aim errors are in degrees. "recharge_per_second_driving", at 8 m/s or more, defaults to
@@ -83,7 +86,7 @@ Result<RulesDescription> read_rules(const std::filesystem::path& file);
 // Rules with all their files loaded. Immutable; may be shared by many matches.
 struct Rules {
   RulesDescription description;
-  std::filesystem::path file, player_file;  // loaded files (see load_rules)
+  std::filesystem::path file, player_file, arena_file;  // loaded files (see load_rules)
   Arena arena;
   std::shared_ptr<const VehicleModel> player;
   std::vector<std::vector<std::shared_ptr<const VehicleModel>>> waves;
@@ -92,11 +95,13 @@ struct Rules {
 };
 
 // Reads the rules and loads the arena and the vehicles, each file once. The player drives the vehicle of
-// the file `player`, or that of the rules if it is empty. Fails like read_arena, load_arena, read_vehicle
+// the file `player` in the arena of the file `arena`, or those of the rules if they are empty; another arena
+// adds its name to that of the rules. Fails like read_arena, load_arena, read_vehicle
 // and load_vehicle, and if the arena has too few starts for a wave. `progress` may be null.
 Result<std::shared_ptr<const Rules>> load_rules(const std::filesystem::path& file,
                                                 const Progress* progress = nullptr,
-                                                const std::filesystem::path& player = {});
+                                                const std::filesystem::path& player = {},
+                                                const std::filesystem::path& arena = {});
 
 // An event in a tick of a match, for the screen and for statistics.
 struct Event {
@@ -108,6 +113,8 @@ struct Event {
     kTurretLost,  // `body` is the turret
     kBarrelLost,  // `body` is the barrel
     kVitalLost,   // `part` is the index of the vital part
+    kTankBurst,   // the fuel tank of `vehicle` was cut
+    kStruck,      // `body`, of `size` kg, fell on `vehicle` after a beam had cut it
     kInHalves,    // `body`, a piece of at least a quarter of the chassis, came off
     kKilled,
     kOverheated,   // the laser of `vehicle`
@@ -211,6 +218,10 @@ class Tally {
   void add_event(Event event, double points = 0);
   // Records that the beam of a vehicle cut a body of the vehicle `victim` (Event::kNobody: of none).
   void record_cut(size_t shooter, size_t victim, BodyId id, const Body& body, const StepResult& cut);
+  // Records that the next damage of a vehicle, which must be assessed, is due to another one.
+  void blame(size_t victim, size_t by);
+  // The vehicle that last caused damage to a vehicle, or Event::kNobody.
+  size_t last_cut_by(size_t vehicle) const { return records_[vehicle].last_cut_by; }
   // Records that a piece was detached from a body of `vehicle` (null: of no vehicle). `clean`: see is_clean;
   // `across`: see Event.
   void record_piece(const Detached& piece, const Body& body, size_t victim, const Vehicle* vehicle,

@@ -200,6 +200,12 @@ void assess_vitals(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
   }
 }
 
+void assess_tank(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
+  if (!vehicle.what().tank || !vehicle.tank_whole) return;
+  vehicle.tank_whole = chassis.share(vehicle.model->tank()) >= kTankWhole;
+  damage.tank = !vehicle.tank_whole;
+}
+
 constexpr double kReach = 0.8, kMoreReach = 0.07;  // m at kCrash, and m per m/s above it
 constexpr double kMaxReach = 1.6;                  // m
 
@@ -360,12 +366,32 @@ Damage assess_damage(const World& world, Vehicle& vehicle) {
   assess_wheels(world, vehicle, chassis, damage);
   assess_gun(world, vehicle, chassis, damage);
   assess_vitals(vehicle, chassis, damage);
+  assess_tank(vehicle, chassis, damage);
   vehicle.whole = area_of(world.body(vehicle.chassis)) / vehicle.model->chassis_area;
   const bool dead = !damage.vitals.empty() || vehicle.whole < kMinChassis;
   damage.died = vehicle.alive && dead;
   if (dead) vehicle.alive = vehicle.gun.firing = false;
   return damage;
 }
+
+Damage knock_off(const World& world, Vehicle& vehicle, const Vec3& at, double reach) {
+  Damage damage;
+  const Vec3 place = world.body(vehicle.chassis).placement.to_body(at);
+  for (size_t i = 0; i < vehicle.wheels.size(); ++i) {
+    Wheel& wheel = vehicle.wheels[i];
+    if (!wheel.attached || glm::distance(vehicle.what().wheels[i].hub, place) > reach) continue;
+    wheel.attached = wheel.grounded = false;
+    damage.wheels.push_back(i);
+  }
+  Gun& gun = vehicle.gun;
+  if (!gun.turret_attached || glm::distance(vehicle.what().turret.pivot, place) > reach) return damage;
+  damage.turret = true;
+  damage.barrel = gun.barrel_attached;
+  gun.turret_attached = gun.barrel_attached = gun.firing = false;
+  return damage;
+}
+
+double mass_of(const Body& body) { return area_of(body) * body.sheet.thickness * body.sheet.density; }
 
 bool is_clean(const Body& piece, const Body& loaded) {
   const LoadedComponents& components = loaded.components;

@@ -79,6 +79,7 @@ struct BackOff {
 
 inline constexpr double kMinPart = 0.5;      // of the area of a part
 inline constexpr double kMinChassis = 0.25;  // of the area of the chassis
+inline constexpr double kTankWhole = 0.97;   // of the area of a fuel tank that does not burst
 
 struct Vehicle {
   std::shared_ptr<const VehicleModel> model;
@@ -88,6 +89,7 @@ struct Vehicle {
   bool alive = true;
   std::vector<bool> vital_works;   // by VehicleDescription::vitals
   std::vector<double> vital_left;  // likewise, fraction of the area that is left
+  bool tank_whole = true;          // its fuel tank, if it has one, has not burst
   Controls controls;
   double overturned_s = 0;                       // time since it overturned
   double stuck_s = 0;                            // time without progress from `stuck_at`
@@ -179,6 +181,7 @@ Pose moved_aside(Pose pose, double aside);
 struct Damage {
   std::vector<size_t> wheels, vitals;  // indices in the description
   bool turret = false, barrel = false;
+  bool tank = false;  // it burst
   bool died = false;
 };
 
@@ -189,13 +192,20 @@ struct Damage {
 //                   mount is left in the chassis near there; otherwise it comes off as a free body. The same
 //                   holds for the barrel on the turret.
 //   vital part      Vehicle::min_vital of its area is left in the chassis; otherwise the vehicle is dead.
+//   fuel tank       kTankWhole of its area is left in the chassis; otherwise it bursts, once.
 //
 // A vehicle with less than kMinChassis of its chassis is dead, too. Precondition: pieces that were cut off
 // are bodies of their own (see release_pieces). O(faces of the vehicle).
 Damage assess_damage(const World& world, Vehicle& vehicle);
 
+// Takes the wheels and the laser within `reach` [m] of a place [m, in the world] off a vehicle, by their hubs
+// and pivots. They become free bodies where they are.
+Damage knock_off(const World& world, Vehicle& vehicle, const Vec3& at, double reach);
+
 // The area of the faces of a body [m^2].
 double area_of(const Body& body);
+// The mass of a body as a sheet [kg]. O(pieces).
+double mass_of(const Body& body);
 
 // Returns true if a body that was separated from `loaded` consists of whole parts: at least kCleanShare of
 // the area of every connected component of which it has faces, and at least kMinCleanArea in total. False if

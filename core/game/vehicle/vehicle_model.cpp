@@ -117,7 +117,8 @@ class ModelLoader {
       const auto is_vital = [&](const VitalDescription& v) { return is_of_part(group, v.part); };
       const auto is_mount = [&](const WheelDescription& w) { return is_of_part(group, w.mount); };
       return is_of_part(group, what().turret.mount) || std::ranges::any_of(what().vitals, is_vital) ||
-             std::ranges::any_of(what().wheels, is_mount);
+             std::ranges::any_of(what().wheels, is_mount) ||
+             (what().tank && is_of_part(group, what().tank->part));
     };
     const auto carries_vitals = [&](const std::string& group) {
       return std::ranges::any_of(what().vitals,
@@ -151,6 +152,9 @@ class ModelLoader {
       if (const Status s = watch_chassis(vital.part, nullptr); !s) return s;
       model_->vital_centres.push_back(centre_of(model_->chassis.body, vital.part));
     }
+    if (!what().tank) return Done{};
+    if (const Status s = watch_chassis(what().tank->part, nullptr); !s) return s;
+    model_->tank_centre = centre_of(model_->chassis.body, what().tank->part);
     return Done{};
   }
 
@@ -308,6 +312,11 @@ static void describe(Fields& f, VitalDescription& vital) {
   f.filled_text("mount", vital.mount, kOptional);
 }
 
+static void describe(Fields& f, TankDescription& tank) {
+  f.filled_text("part", tank.part);
+  f.filled_text("mount", tank.mount, kOptional);
+}
+
 static void describe(Fields& f, EngineDescription& engine) {
   f.number("force", engine.force, {1, 1e7, "N"}, kOptional);
   f.number("power", engine.power, {1, 1e9, "W"}, kOptional);
@@ -327,6 +336,7 @@ static void describe(Fields& f, VehicleDescription& vehicle) {
   f.check(vehicle.vitals.size() <= 8, "vital", "must contain at most 8 parts");
   f.check(may_lack_vitals || !vehicle.vitals.empty(), "vital",
           "must contain at least one part; without the key a vehicle is wrecked when little of it is left");
+  if (f.present("tank", vehicle.tank.has_value())) f.object("tank", vehicle.tank.emplace());
   f.vector("driver_eye", vehicle.driver_eye, VectorRule::kNearby, kOptional);
   f.object("engine", vehicle.engine, kOptional);
 }

@@ -102,6 +102,11 @@ struct VitalDescription {
   std::string part, mount;
 };
 
+// A part of the chassis that bursts when it is cut.
+struct TankDescription {
+  std::string part, mount;
+};
+
 struct EngineDescription {
   double force = 7000;    // N, at all driven wheels together
   double power = 120e3;   // W
@@ -116,6 +121,7 @@ struct VehicleDescription {
   std::vector<WheelDescription> wheels;
   TurretDescription turret;
   std::vector<VitalDescription> vitals;
+  std::optional<TankDescription> tank;
   Vec3 driver_eye{0};  // m
   EngineDescription engine;
 };
@@ -129,6 +135,7 @@ struct VehicleDescription {
 //    "turret": {"part": "turret", "mount": "body", "pivot": [..], "yaw": [-180, 180],
 //               "barrel": {"part": "barrel", "pivot": [..], "muzzle": [..], "pitch": [-15, 35]}},
 //    "vital": [{"kind": "engine", "part": "engine", "mount": "body"}],
+//    "tank": {"part": "tank", "mount": "body"},
 //    "driver_eye": [..], "engine": {"force": 7000, "power": 120000, "top_speed": 24},
 //    "joints": as in scenes, "paints": as in scenes}
 //
@@ -146,21 +153,24 @@ struct VehicleBody : ModelBody {
 // made from it are copies.
 //
 // Watch groups of carried bodies: kAll, and kSeat for the faces near the hub or pivot. Those of the
-// chassis: first the mounts of the wheels near their hubs, then that of the turret, then the vital parts.
+// chassis: first the mounts of the wheels near their hubs, then that of the turret, then the vital parts,
+// then the fuel tank, if the vehicle has one.
 struct VehicleModel {
   VehicleDescription description;
   VehicleBody chassis, turret, barrel;
   std::vector<VehicleBody> wheels;
   double chassis_area = 0;          // m^2
   std::vector<Vec3> vital_centres;  // m, of the bounds of the vital parts
-  // By joint of the chassis, true if a crash may break it: not for joints that hold vital parts, the laser,
-  // the axles, or a frame together.
+  Vec3 tank_centre{0};              // m, likewise, if it has a fuel tank
+  // By joint of the chassis, true if a crash may break it: not for joints that hold vital parts, the fuel
+  // tank, the laser, the axles, or a frame together.
   std::vector<bool> breaks;
 
   static constexpr size_t kAll = 0, kSeat = 1, kBarrelSeat = 2;  // kBarrelSeat: in the turret
   size_t wheel_mount(size_t wheel) const { return wheel; }
   size_t turret_mount() const { return wheels.size(); }
   size_t vital(size_t i) const { return wheels.size() + 1 + i; }
+  size_t tank() const { return wheels.size() + 1 + description.vitals.size(); }
 };
 
 // Loads the mesh of a vehicle. Fails with bad input if a part or a mount has no faces, or a joint does not

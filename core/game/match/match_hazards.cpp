@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -22,20 +23,16 @@ constexpr double kBurstDebris = 6;                 // m/s, of light bodies
 constexpr double kBurstCrash = 6;                  // m/s above kCrash, that parts near a tank feel
 constexpr double kBurstBreaks = 0.6;               // share of the effect from which joints break
 
-// The point of the box of a vehicle nearest to the longest axis of a body, in the world.
-Vec3 struck_at(const Body& falling, const Body& chassis) {
-  const Bounds box = falling.bounds();
-  const Vec3 middle = 0.5 * (box.min + box.max), half = 0.5 * (box.max - box.min);
-  Vec3 axis(0);
-  const int longest = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
-  axis[longest] = half[longest];
-  const Vec3 from = falling.placement.to_world(middle - axis), to = falling.placement.to_world(middle + axis);
-  const Vec3 way = to - from, aim = middle_of(chassis) - from;
-  const double length2 = glm::dot(way, way);
-  const double share = length2 > 0 ? std::clamp(glm::dot(aim, way) / length2, 0.0, 1.0) : 0;
-  const Bounds of = chassis.bounds();
-  return chassis.placement.to_world(
-      glm::clamp(chassis.placement.to_body(from + share * way), of.min, of.max));
+// The middle of the contacts of two bodies in the last tick [m, in the world]; nullopt if there are none.
+std::optional<Vec3> touched_at(const Physics& physics, BodyId first, BodyId second) {
+  const std::pair bodies(std::min(first, second), std::max(first, second));
+  for (const TouchingPair& pair : physics.pairs()) {
+    if (pair.memory.bodies() != bodies || pair.contacts.empty()) continue;
+    Vec3 sum(0);
+    for (const Contact& contact : pair.contacts) sum += contact.at;
+    return sum / static_cast<double>(pair.contacts.size());
+  }
+  return std::nullopt;
 }
 
 // The effect of a burst at a distance [m], 1 to 0.
@@ -78,17 +75,16 @@ void Match::strike(const std::vector<Motion>& motions, const PlacementsBefore& b
   for (size_t i = 0; i < falling_.size(); ++i) {
     FallingBody& fall = falling_[i];
     if (!world().contains(fall.body)) continue;
-    for (const PairMemory& pair : world().contact_memory()) {
-      if (!pair.touching || (pair.first != fall.body && pair.second != fall.body)) continue;
-      const size_t v = vehicle_of(pair.first == fall.body ? pair.second : pair.first);
-      if (v == Event::kNobody || std::ranges::find(fall.struck, v) != fall.struck.end()) continue;
+    for (size_t v = 0; v < vehicles_.size(); ++v) {
+      if (std::ranges::find(fall.struck, v) != fall.struck.end()) continue;
       Vehicle& vehicle = vehicles_[v];
-      const Body& body = world().body(fall.body);
-      const Vec3 at = struck_at(body, world().body(vehicle.chassis));
+      const auto touched = touched_at(physics(), fall.body, vehicle.chassis);
+      if (!touched) continue;
+      const Vec3 at = *touched;
       const Vec3 speed = motions[i].velocity_at(at, before.at(fall.body));
       if (glm::length(speed) < kFallSpeed) continue;
       fall.struck.push_back(v);
-      const double mass = mass_of(body);
+      const double mass = mass_of(world().body(fall.body));
       tally_.blame(v, fall.by);
       tally_.add_event({Event::Kind::kStruck, v, fall.by, 0, fall.body, at, mass},
                        vehicle.alive ? rules().description.scores.struck : 0);

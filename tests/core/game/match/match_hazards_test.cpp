@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/deterministic_math.h"
 #include "core/base/ids.h"
@@ -64,20 +65,29 @@ void record(const Match& match, Course& course) {
   course.score = match.standing().score;
 }
 
-// Aims for half a second, and then sweeps the beam about the vertical from one heading [rad] to another in a
-// second, at a pitch [rad].
-void sweep(Match& match, double from, double to, double pitch, Course& course) {
+// Aims for half a second at a place that may move [m], and then sweeps the beam across it in a second, from
+// one angle to another [rad], about the vertical.
+void sweep(Match& match, const std::function<Vec3()>& place, double from, double to, Course& course) {
+  const Vehicle& own = match.vehicles()[Match::kPlayer];
   Controls controls;
   controls.width = 50;
-  controls.pitch = static_cast<int32_t>(pitch / Controls::kAimStep);
-  constexpr Ticks kAims = kTicksPerSecond / 2;
-  for (Ticks t = 0; t < kAims + kTicksPerSecond; ++t) {
-    const double share = std::max(0.0, static_cast<double>(t - kAims) / kTicksPerSecond);
-    controls.heading = static_cast<int32_t>((from + share * (to - from)) / Controls::kAimStep);
-    controls.fire = t > kAims;
+  constexpr int kSecond = static_cast<int>(kTicksPerSecond);
+  for (int t = -kSecond / 2; t < kSecond; ++t) {
+    const double share = std::max(0, t) / double{kSecond};
+    const Vec3 way = place() - in_world(match.world(), own, own.what().turret.barrel.pivot);
+    controls.heading =
+        static_cast<int32_t>((heading_of(way) + from + share * (to - from)) / Controls::kAimStep);
+    controls.pitch = static_cast<int32_t>(pitch_of(way) / Controls::kAimStep);
+    controls.fire = t > 0;
     match.tick(controls);
     record(match, course);
   }
+}
+
+// Cuts the post 1.6 m above the ground.
+void cut_post(Match& match, Course& course) {
+  sweep(
+      match, [] { return Vec3(0, 1.6, kPostAway); }, -0.06, 0.06, course);
 }
 
 void pass(Match& match, double seconds, Course& course) {
@@ -92,7 +102,7 @@ TEST(LampPost, stands_until_its_foot_is_cut_and_then_falls) {
   Course course;
   pass(match, 2, course);
   EXPECT_GT(top_of_post(match), 6.8);
-  sweep(match, -0.06, 0.06, 0, course);
+  cut_post(match, course);
   pass(match, 4, course);
   EXPECT_LT(top_of_post(match), 3);
   EXPECT_TRUE(course.struck.empty());
@@ -102,7 +112,7 @@ TEST(LampPost, that_falls_on_an_enemy_scores_and_takes_parts_off_it) {
   // It falls in the direction of the stroke.
   Match match({rules_with_post({{3.2, 0, kPostAway}, 0}), 1, Difficulty::kNormal});
   Course course;
-  sweep(match, -0.06, 0.06, 0, course);
+  cut_post(match, course);
   pass(match, 4, course);
   ASSERT_EQ(course.struck.size(), 1u);
   EXPECT_EQ(course.struck[0].vehicle, 1u);
@@ -110,15 +120,13 @@ TEST(LampPost, that_falls_on_an_enemy_scores_and_takes_parts_off_it) {
   EXPECT_EQ(course.struck[0].points, match.rules().description.scores.struck);
   EXPECT_GE(course.score, 800);
   const Vehicle& enemy = match.vehicles()[1];
-  const Vec3 pv = in_world(match.world(), enemy, enemy.what().turret.pivot);
-  printf("at %f %f %f size %f pivot %f %f %f\n", course.struck[0].at.x, course.struck[0].at.y, course.struck[0].at.z, course.struck[0].size, pv.x, pv.y, pv.z);
   EXPECT_TRUE(!enemy.gun.works() || enemy.wheels_attached() < 4 || enemy.whole < 0.99);
 }
 
 TEST(LampPost, that_falls_past_an_enemy_does_not_strike_it) {
   Match match({rules_with_post({{-4, 0, kPostAway}, 0}), 1, Difficulty::kNormal});
   Course course;
-  sweep(match, -0.06, 0.06, 0, course);
+  cut_post(match, course);
   pass(match, 4, course);
   EXPECT_TRUE(course.struck.empty());
   EXPECT_TRUE(match.vehicles()[1].gun.works());
@@ -127,15 +135,11 @@ TEST(LampPost, that_falls_past_an_enemy_does_not_strike_it) {
 TEST(FuelTank, bursts_once_when_a_beam_cuts_it_and_overheats_the_laser) {
   Match match({rules_with_post({{-9, 0, 0}, 0}), 1, Difficulty::kNormal});
   const Vehicle& enemy = match.vehicles()[1];
-  const Vec3 tank = in_world(match.world(), enemy, enemy.model->tank_centre);
-  const Vec3 from =
-      in_world(match.world(), match.vehicles()[0], match.vehicles()[0].what().turret.barrel.pivot);
-  const Vec3 way = tank - from;
-  const double heading = heading_of(way);
   Course course;
-  pass(match, 0.5, course);
+  pass(match, 1, course);
   EXPECT_TRUE(course.burst.empty());
-  sweep(match, heading + 0.02, heading - 0.025, pitch_of(way), course);
+  const auto tank = [&] { return in_world(match.world(), enemy, enemy.model->tank_centre); };
+  sweep(match, tank, 0.02, -0.02, course);
   pass(match, 0.5, course);
   ASSERT_EQ(course.burst.size(), 1u);
   EXPECT_EQ(course.burst[0].vehicle, 1u);

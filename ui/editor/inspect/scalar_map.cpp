@@ -439,7 +439,7 @@ class ScalarMapFeature : public Feature {
   std::vector<UserAction> actions() override {
     std::vector<UserAction> actions{action(std::nullopt)};
     for (size_t i = 0; i < kFaceQuantities; ++i) actions.push_back(action(static_cast<FaceQuantity>(i)));
-    actions.push_back(make_action("scalar_map.compare", "Compare with File…", "", kCompareTip,
+    actions.push_back(make_action("scalar_map.compare", "Compare with File...", "", kCompareTip,
                                   [this] { select_reference(); }));
     return actions;
   }
@@ -584,7 +584,7 @@ class ScalarMapFeature : public Feature {
     row("95 % Within", reference.found.p95, "Distance that 95 % of their area does not exceed.");
     row("Mean", reference.found.mean, "Mean distance over their area.");
     end_properties();
-    if (ImGui::Button("Compare with File…")) select_reference();
+    if (ImGui::Button("Compare with File...")) select_reference();
     mark_last_item("compare with file");
     tooltip(kCompareTip);
   }

@@ -173,9 +173,12 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
   journal_.seal();
   const size_t position = history().position(), journal_size = journal_.size();
   UndoStack::Steps undone = queue_.history().take_undone();
-  for (const Command& command : commands) apply(command);
+  Outcome own;
+  for (const Command& command : commands) {
+    if (own.ok()) own.append(apply(command, progress));
+  }
   end_stroke();
-  Outcome own = finish(progress);
+  if (own.ok()) own.append(finish(progress));
   const bool done = own.ok();
   all.append(std::move(own));
   if (done) return all;

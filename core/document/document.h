@@ -85,7 +85,7 @@ class Document {
   // A command that executes immediately first executes the whole queue; the outcome lists the changes of
   // both. On failure the command itself has changed nothing, but the queue has been executed.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
-  // Applies stroke and AdvanceTime commands and executes them completely, all or nothing. First executes the
+  // Applies commands, except Undo and Redo, and executes them completely, all or nothing. First executes the
   // queue, which `progress` cannot stop. On failure, or if `progress` stops the commands, restores the world,
   // the journal and the history with its undone steps. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);

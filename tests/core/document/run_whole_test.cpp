@@ -50,6 +50,29 @@ TEST(RunWhole, gives_the_same_result_as_the_strokes_one_by_one) {
   EXPECT_EQ(lines_of(whole), lines_of(drawn));
 }
 
+StrokePath knife(double z, double twist) {
+  StrokePath stroke = across(z);
+  stroke.radius = 0;
+  stroke.keys[1].direction = glm::normalize(Vec3(0, -1, twist));
+  return stroke;
+}
+
+TEST(RunWhole, lists_the_changes_of_the_knife_and_takes_all_back_if_it_fails) {
+  Document document = torus_document();
+  const double diagonal = document.world().bounds().diagonal();
+  const uint64_t before = state_hash(document.world());
+  const Outcome failed =
+      document.run_whole(path_commands(std::vector{across(0.1), knife(0, 0), knife(0, 0.5)}, diagonal));
+  EXPECT_FALSE(failed.ok()) << "the last strip is not planar";
+  EXPECT_EQ(state_hash(document.world()), before);
+  EXPECT_EQ(document.history().position(), 0u);
+  EXPECT_TRUE(lines_of(document).empty());
+  const Outcome cut = document.run_whole(path_commands(std::vector{knife(0, 0)}, diagonal));
+  ASSERT_TRUE(cut.ok());
+  ASSERT_EQ(cut.delta.bodies.size(), 1u);
+  EXPECT_FALSE(cut.delta.bodies[0].new_pieces.empty());
+}
+
 // A document with a stroke that is done and one that was undone, stopped after so many reports of a run.
 // Returns whether it was, and not over before.
 bool stops_without_trace(size_t window, int reports) {

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr Ticks kLootTicks = static_cast<Ticks>(Match::kLootSeconds) * kTicksPerSecond;
-constexpr double kEngineCharge = 0.25, kArmoured = 0.3;  // of the energy; of the area of a vital part
+constexpr double kEngineCharge = 0.25, kArmoured = 0.6;  // of the energy; of EnemySkill::min_vital
 constexpr double kCooler = 0.75, kFaster = 1.3;          // factors of an upgrade
 constexpr double kJump = 0.5;                            // s, of the shortest jump that counts
 
@@ -22,7 +22,9 @@ size_t index_of(Upgrade upgrade) { return static_cast<size_t>(upgrade) - 1; }
 
 // The upgrade of the car holds for each of its cars.
 void Match::armour_player() {
-  if (standing().upgrades[index_of(Upgrade::kArmour)] > 0) vehicles_[kPlayer].min_vital = kArmoured;
+  const double least = rules().skill(setup_.difficulty).min_vital;
+  const bool armoured = standing().upgrades[index_of(Upgrade::kArmour)] > 0;
+  vehicles_[kPlayer].min_vital = armoured ? kArmoured * least : least;
 }
 
 void Match::offer_loot() {
@@ -78,10 +80,10 @@ bool Match::use_loot(const LootPart& part) {
       return true;
     case Loot::kLaser:
       return own.gun.works() && !std::exchange(own.gun.twin, true);
-    case Loot::kPlate:
-      if (own.min_vital <= kArmoured) return false;
-      own.min_vital = kArmoured;
-      return true;
+    case Loot::kPlate: {
+      const double armoured = kArmoured * rules().skill(setup_.difficulty).min_vital;
+      return std::exchange(own.min_vital, armoured) > armoured;
+    }
   }
   return false;
 }

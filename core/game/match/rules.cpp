@@ -116,6 +116,7 @@ static void describe(Fields& f, EnemySkill& skill) {
   f.number("enemy_fire", skill.fire, kShare, kOptional);
   f.number("enemy_distance", skill.distance, {4, 60, "m"}, kOptional);
   f.whole("enemies_at_once", skill.max_firing, 1, kMaxEnemies, kOptional);
+  f.number("player_vital", skill.min_vital, {0.01, 1}, kOptional);
 }
 
 static void describe(Fields& f, Scores& scores) {

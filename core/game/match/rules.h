@@ -22,12 +22,13 @@ namespace kerf {
 enum class Difficulty { kEasy, kNormal, kHard };
 
 struct EnemySkill {
-  double reaction = 0.55;   // s, delay of their perception
-  double aim_error = 0.06;  // rad
-  double speed = 0.85;      // fraction of the throttle
-  double fire = 0.6;        // fraction of the time for which they fire when they could
-  double distance = 13;     // m, to keep from their opponent
-  size_t max_firing = 12;   // number of them that may fire at the same time
+  double reaction = 0.55;       // s, delay of their perception
+  double aim_error = 0.06;      // rad
+  double speed = 0.85;          // fraction of the throttle
+  double fire = 0.6;            // fraction of the time for which they fire when they could
+  double distance = 13;         // m, to keep from their opponent
+  size_t max_firing = 12;       // number of them that may fire at the same time
+  double min_vital = kMinPart;  // fraction of a vital part of the player's car with which it works
 };
 
 struct Scores {
@@ -71,7 +72,8 @@ struct RulesDescription {
 //              "cooling_per_second": 0.4},
 //    "times": {"match": 600, "between_waves": 6, "righting": 3, "stuck": 3},
 //    "difficulties": {"easy": {"reaction": 0.9, "aim_error": 6, "enemy_speed": 0.7, "enemy_fire": 0.35,
-//                              "enemy_distance": 16, "enemies_at_once": 1},
+//                              "enemy_distance": 16, "enemies_at_once": 1,
+//                              "player_vital": 0.3},
 //                     "normal": {..}, "hard": {..}},
 //    "score": {"piece": 10, "wheel": 100, "turret": 250, "engine": 300, "driver": 300, "kill": 500,
 //              "in_halves": 400, "at_a_stroke": 600, "clean": 50, "air": 50, "struck": 800, "tank": 200,

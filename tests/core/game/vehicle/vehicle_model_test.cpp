@@ -40,7 +40,9 @@ TEST(VehicleModel, has_the_chassis_mass_of_its_file) {
 TEST(VehicleModel, watches_mounts_seats_and_vital_parts) {
   const auto model = test::hatchback();
   const size_t vitals = model->description.vitals.size();
-  ASSERT_EQ(model->chassis.watch.size(), model->wheels.size() + 1 + vitals);
+  ASSERT_EQ(model->chassis.watch.size(), model->wheels.size() + 2 + vitals)
+      << "the last one is the fuel tank";
+  EXPECT_EQ(model->tank() + 1, model->chassis.watch.size());
   EXPECT_EQ(model->vital_centres.size(), vitals);
   for (size_t group = 0; group < model->chassis.watch.size(); ++group)
     EXPECT_GT(model->chassis.watch.area(group), 0);

@@ -44,6 +44,19 @@ TEST(Depot, routes_connect_all_starts_ramps_and_the_upper_floor) {
   }
 }
 
+TEST(Depot, has_room_at_every_start) {
+  const FreeSpace space(depot());
+  for (const Start& start : depot().description.enemies) {
+    EXPECT_GE(space.clearance(space.spot_at(start.position)), 1.4)
+        << start.position.x << ", " << start.position.z;
+    for (const ModelBody& body : depot().bodies) {
+      const Vec3 way = body.body.placement.position - start.position;
+      if (!body.body.pinned)
+        EXPECT_GT(glm::length(Vec2(way.x, way.z)), 4) << start.position.x << ", " << start.position.z;
+    }
+  }
+}
+
 TEST(Depot, the_way_up_leads_over_a_ramp) {
   const FreeSpace space(depot());
   const std::vector<Vec3> route = find_route(space, {}, {5, 0, 1}, {0, 3.4, 1});

@@ -165,6 +165,25 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         self.assertNotIn("uncut_lines", editor.quit())
 
+    def test_a_program_is_a_path_whose_uncut_strokes_are_marked_until_undo(self):
+        editor = self.open(PLATE)
+        program = os.path.join(self.folder, "a.nc")
+        with open(program, "w") as file:
+            file.write("G21 G90\nG0 X-200 Y0 Z500\nM3 S1\nG1 X200 F120000\nG1 Y100\nM5\n")
+        editor.click("laser model", 0.5, 0.5)
+        editor.do("Down")
+        editor.do("Return")
+        editor.drop(program)
+        editor.settle()
+        self.assertEqual(editor.ask("report")["path"]["strokes"], 1)
+        editor.do("ctrl", "Return")
+        editor.settle()
+        report = editor.ask("report")
+        self.assertEqual((report["uncut_lines"], report["faces_removed"]), (1, 0))
+        self.assertTrue(editor.shows("uncut lines"))
+        editor.do("ctrl", "z")
+        self.assertNotIn("uncut_lines", editor.quit())
+
     def test_a_faulty_drawing_leaves_a_message_and_nothing_else(self):
         editor = self.open_drawing("<svg><path d='M0 0 L'/></svg>")
         report = editor.quit()

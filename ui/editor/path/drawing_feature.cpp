@@ -11,6 +11,7 @@
 #include "core/document/text/json.h"
 #include "ui/editor/path/drawing_placement.h"
 #include "ui/editor/path/drawing_preview.h"
+#include "ui/editor/path/uncut_lines.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/panel_rows.h"
@@ -98,7 +99,7 @@ class DrawingFeature : public Feature {
 
   void update(double) override {
     load_waiting();
-    find_uncut();
+    uncut_.update(workspace_);
     if (!is_shown() || workspace_.cutting()) return;
     preview_.update(*drawing_, placement_, workspace_.world(), PrimaryViewport(workspace_.view));
   }
@@ -111,7 +112,7 @@ class DrawingFeature : public Feature {
   }
 
   void draw_overlay(ImDrawList& list) override {
-    draw_marks(list);
+    uncut_.draw(workspace_, list);
     if (!is_shown() || workspace_.cutting() || !preview_.is_valid()) return;
     const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
@@ -127,7 +128,7 @@ class DrawingFeature : public Feature {
     if (const auto middle = picture.place_of(plane().at)) landmarks.mark("drawing", {*middle, Vec2(0)});
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
-    if (!uncut_.empty()) report["uncut_lines"] = uncut_.size();
+    if (uncut_.size() > 0) report["uncut_lines"] = uncut_.size();
     if (!drawing_) return;
     size_t hits = 0, points = 0;
     for (const ProjectedLine& line : preview_.lines()) {
@@ -392,7 +393,7 @@ class DrawingFeature : public Feature {
       request_drawing_cut();
     ImGui::SameLine();
     if (row_button("Remove", 2, nullptr, "Removes the drawing and cuts nothing (Esc).")) return remove();
-    draw_uncut_list();
+    uncut_.draw_list();
   }
   void draw_layers() {
     for (size_t i = 0; i < drawing_->layers.size(); ++i) {
@@ -484,21 +485,6 @@ class DrawingFeature : public Feature {
       all[i].range = Interval{0, depth + kMargin * world.bounds().diagonal()};
     }
   }
-  std::vector<Command> commands_of(const std::vector<StrokePath>& all) const {
-    const double diagonal = workspace_.world().bounds().diagonal();
-    std::vector<Command> commands;
-    for (const StrokePath& stroke : all) {
-      LaserControls laser = workspace_.laser;
-      laser.radius = stroke.radius.value_or(laser.radius);
-      laser.power = stroke.power.value_or(laser.power);
-      CutSettings settings = laser.settings(diagonal);
-      if (with_knife_) settings.laser.radius = 0;
-      if (stroke.range) settings.laser.range = *stroke.range;
-      const std::vector<Command> own = stroke_commands(stroke, settings);
-      commands.insert(commands.end(), own.begin(), own.end());
-    }
-    return commands;
-  }
   // Cuts all lines on another thread, or none if the user stops it. The drawing stays, hidden, for its tool.
   void cut_drawing() {
     if (!drawing_) return;
@@ -506,44 +492,21 @@ class DrawingFeature : public Feature {
     if (!all) return workspace_.message.error(all.error().message);
     if (const auto why = rejection_reason(*all)) return workspace_.message.error(*why);
     cancel_stroke(workspace_);
-    const auto cut = [commands = commands_of(*all)](Document& document, const Progress* progress) {
+    LaserControls laser = workspace_.laser;
+    if (with_knife_) laser.model = Model::kGeometric;
+    const double diagonal = workspace_.world().bounds().diagonal();
+    std::vector<Command> commands = laser.commands_of(*all, diagonal, with_knife_);
+    const auto cut = [commands = std::move(commands)](Document& document, const Progress* progress) {
       Outcome outcome = document.run_whole(commands, progress);
       if (!outcome.ok() && outcome.error().message == cancelled().message)
         outcome.fail(failed("Drawing stopped; nothing was cut."));
       return outcome;
     };
-    uncut_.clear();
-    cut_strokes_.clear();
-    position_before_cut_ = workspace_.session.document.history().position();
-    if (workspace_.laser.model == Model::kThermal && !with_knife_) cut_strokes_ = *all;
+    uncut_.begin(workspace_, with_knife_ ? std::vector<StrokePath>() : *all);
     workspace_.changes.change("Cutting the drawing", false, cut,
                               "Drawing cut. Tool > Drawing shows it again.");
     workspace_.links.cut_once = true;
     if (workspace_.input.tool == kDrawingTool) workspace_.input.tool = tool_before_;
-  }
-
-  // Marks the lines that the thermal beam did not cut through, once the drawing is cut.
-  void find_uncut() {
-    const bool is_done = workspace_.session.document.waiting() == 0 && !workspace_.changes.is_pending();
-    if (cut_strokes_.empty() || !is_done) return;
-    const double diagonal = workspace_.world().bounds().diagonal();
-    const std::vector<StrokePath> all = std::exchange(cut_strokes_, {});
-    if (workspace_.session.document.history().position() == position_before_cut_) return;  // it failed
-    uncut_ = uncut_lines(all, workspace_.laser.settings(diagonal).laser.range, workspace_.world());
-  }
-  void draw_marks(ImDrawList& list) {
-    if (uncut_.empty() || workspace_.cutting()) return;
-    draw_uncut(uncut_, PrimaryViewport(workspace_.view), list);
-    workspace_.services.badges.draw(workspace_.view, Badges::Sign::kMode,
-                                    count_text(uncut_.size(), "line") + " not cut through", "uncut lines");
-  }
-  void draw_uncut_list() const {
-    if (uncut_.empty()) return;
-    secondary_text("Not cut through, with the share that is left:");
-    constexpr size_t kMaxListed = 12;
-    for (size_t i = 0; i < std::min(uncut_.size(), kMaxListed); ++i)
-      secondary_text(text_of("Line %zu: %.0f %%", uncut_[i].stroke + 1, 100 * uncut_[i].share));
-    if (uncut_.size() > kMaxListed) secondary_text(count_text(uncut_.size() - kMaxListed, "line") + " more");
   }
 
   Workspace& workspace_;
@@ -551,9 +514,7 @@ class DrawingFeature : public Feature {
   DrawingPlacement placement_;
   LayerTable layers_;
   size_t selected_layer_ = 0;
-  std::vector<StrokePath> cut_strokes_;  // being cut by the thermal beam
-  size_t position_before_cut_ = 0;       // of the history
-  std::vector<UncutLine> uncut_;         // of the last cut, until the world changes
+  UncutMarks uncut_;
   bool with_knife_ = false, first_surface_ = false;
   DrawingPreview preview_;
   NumberFields fields_;

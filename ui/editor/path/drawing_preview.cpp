@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/document/cut_report.h"
 #include "core/document/text/json.h"
 #include "ui/render/passes/beam_effects.h"
 #include "ui/window/theme.h"
@@ -15,7 +14,6 @@ namespace kerf {
 namespace {
 
 constexpr double kPreviewTolerance = 1e-5;  // m, of curves
-constexpr ImU32 kUncutColour = IM_COL32(0xff, 0xb0, 0x20, 255);
 constexpr ImU32 kFrameShade = IM_COL32(10, 12, 16, 150);
 
 // Draws a visible run of a line over the width that the beam removes, in pixels.
@@ -121,52 +119,6 @@ void DrawingPreview::draw(const ImportedDrawing& drawing, const LayerTable& laye
     if (settings.skip) continue;
     const double own = radius > 0 ? settings.radius.value_or(radius) : 0;
     draw_projected(lines_[i], hidden_[i], layer_colour(layer), own, picture, list);
-  }
-}
-
-std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const Interval& range,
-                                   const World& world) {
-  constexpr int kSamples = 32;  // of each segment, and one
-  std::vector<UncutLine> all;
-  for (size_t i = 0; i < strokes.size(); ++i) {
-    const StrokePath& stroke = strokes[i];
-    UncutLine line{i, 0, {}};
-    for (size_t k = 0; k + 1 < stroke.keys.size(); ++k) {
-      const Pose &from = stroke.keys[k], &to = stroke.keys[k + 1];
-      std::vector<std::vector<Vec3>> parts;
-      size_t met = 0;
-      for (int s = 0; s <= kSamples; ++s) {
-        const double share = static_cast<double>(s) / kSamples;
-        const Pose beam{glm::mix(from.origin, to.origin, share),
-                        glm::normalize(glm::mix(from.direction, to.direction, share))};
-        const auto hit = first_hit(world, beam);
-        const bool meets = hit && *hit <= range.high;
-        if (!meets || parts.empty()) parts.emplace_back();
-        if (meets) parts.back().push_back(beam.origin + *hit * beam.direction);
-        met += meets ? 1 : 0;
-      }
-      const double left = static_cast<double>(met) / (kSamples + 1);
-      if (left <= kUncutShare) continue;
-      line.share += left * (stroke.times[k + 1] - stroke.times[k]) / duration_of(stroke);
-      line.parts.insert(line.parts.end(), parts.begin(), parts.end());
-    }
-    std::erase_if(line.parts, [](const auto& part) { return part.size() < 2; });
-    if (!line.parts.empty()) all.push_back(std::move(line));
-  }
-  return all;
-}
-
-void draw_uncut(std::span<const UncutLine> lines, const PrimaryViewport& picture, ImDrawList& list) {
-  for (const UncutLine& line : lines) {
-    for (const std::vector<Vec3>& part : line.parts) {
-      std::vector<ImVec2> run;
-      for (const Vec3& p : part) {
-        if (const auto place = picture.place_of(p)) run.push_back(to_im(*place));
-      }
-      const auto count = static_cast<int>(run.size());
-      list.AddPolyline(run.data(), count, kFrameShade, 0, 5);
-      list.AddPolyline(run.data(), count, kUncutColour, 0, 2.6f);
-    }
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,20 +56,6 @@ class DrawingPreview {
   CameraView seen_from_;
   bool is_valid_ = false;
 };
-
-// The parts of a stroke that the beam did not cut through: its axis still meets a face there.
-struct UncutLine {
-  size_t stroke = 0;
-  double share = 0;                      // of the duration of the stroke, > 0 .. 1
-  std::vector<std::vector<Vec3>> parts;  // points of the surfaces [m]
-};
-
-// Returns the strokes with segments along which the axis of a beam of this range [m] meets a face for more
-// than kUncutShare of their way. One query of the trees per sample, of which a segment has 33.
-std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const Interval& range,
-                                   const World& world);
-// Draws them in amber.
-void draw_uncut(std::span<const UncutLine> lines, const PrimaryViewport& picture, ImDrawList& list);
 
 // Draws the frame with its handles; the one at the pointer, a place of the window, is highlighted.
 void draw_drawing_frame(const PrimaryViewport& picture, const JobPlane& plane, Vec2 half, Vec2 pointer,

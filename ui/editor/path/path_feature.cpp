@@ -8,8 +8,10 @@
 #include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/base/json.h"
+#include "core/document/job_files.h"
 #include "core/document/save.h"
 #include "core/document/text/json.h"
+#include "ui/editor/path/uncut_lines.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/feature.h"
@@ -205,16 +207,19 @@ class PathFeature : public Feature {
 
   void update(double) override {
     load_waiting();
+    uncut_.update(workspace_);
     if (workspace_.input.held == nullptr) keep();
     workspace_.laser.planned_speed = path_.speed();
   }
 
+  void on_world_changed(const Delta&) override { uncut_.clear(); }
   void on_document_opened() override {
     path_ = path_of_entry(head_entry(workspace_.session.scene, kPathKey), workspace_.world());
     kept_ = path_.changes();
   }
   // Draws the path while its tool is active or its panel is unfolded.
   void draw_overlay(ImDrawList& list) override {
+    uncut_.draw(workspace_, list);
     if (!shows_path() || workspace_.cutting()) return;
     const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
@@ -236,6 +241,7 @@ class PathFeature : public Feature {
       for (size_t k = 0; k < path_.strokes()[i].keys.size(); ++k)
         targets.push_back(vector_json(path_.target({i, k})));
     }
+    if (uncut_.size() > 0) report["uncut_lines"] = uncut_.size();
     report["path"] = {{"strokes", path_.strokes().size()}, {"targets", targets}, {"speed", path_.speed()}};
   }
 
@@ -267,7 +273,7 @@ class PathFeature : public Feature {
                    .run = [this] { request_run(); },
                    .disabled_reason = [this] { return run_disabled_reason(); }},
         make_action("path.load", "Load Path...", "",
-                    "Loads a path file (.json); you can also drop one on the window.",
+                    "Loads a path (.json) or a G-code program; you can also drop one on the window.",
                     [this] { select_file_to_load(); }),
         make_action("path.save", "Save Path...", "", "Saves the path as a file (.json) for kerf cut --path.",
                     [this] { select_file_to_save(); }, {.disabled_reason = empty_path_reason}),
@@ -299,18 +305,27 @@ class PathFeature : public Feature {
         path_, at_panel_resolution_, workspace_.view, workspace_.world(),
         PathTool::beam_for(workspace_.world(), workspace_.laser.radius), run_disabled_reason(),
         {[this] { request_run(); }, [this] { select_file_to_load(); }, [this] { select_file_to_save(); }});
+    uncut_.draw_list();
     keep();
   }
   // Accepts path files that are dropped on the window, opened by the menu, or named on the command line.
   bool take_file(const std::filesystem::path& file) {
-    if (!is_path_file(file)) return false;
+    if (!is_path_file(file) && job_kind(file) != JobFile::Kind::kProgram) return false;
     waiting_.push_back(file);
     return true;
   }
-  // Loads a path file, which can be undone, and activates the Path tool. Returns the reason on failure, else
+  // Reads a path file, or a program, whose beam goes down as with kerf cut --gcode.
+  Result<std::vector<StrokePath>> read(const std::filesystem::path& file) const {
+    if (job_kind(file) != JobFile::Kind::kProgram) return read_path_file(file);
+    constexpr double kOfRadius = 50;
+    const auto job = read_job(file, JobFile::Kind::kProgram, workspace_.laser.radius / kOfRadius);
+    if (!job) return job.error();
+    return program_strokes(job->program, *plane_onto("-y"), std::nullopt);
+  }
+  // Loads such a file, which can be undone, and activates the Path tool. Returns the reason on failure, else
   // an empty text.
   std::string load(const std::filesystem::path& file) {
-    auto strokes = read_path_file(file);
+    auto strokes = read(file);
     if (!strokes) return strokes.error().message;
     path_.begin_edit();
     path_.load(std::move(*strokes), workspace_.world());
@@ -326,7 +341,7 @@ class PathFeature : public Feature {
            {.title = "Load Path",
             .verb = "Load",
             .hint = "Filter, or paste a full path",
-            .listed = ".json",
+            .only = FileKind::kPaths,
             .take = [this](const std::filesystem::path& file) { return load(file); }},
            workspace_.settings.folder, "");
   }
@@ -375,8 +390,12 @@ class PathFeature : public Feature {
     std::function<Resolution(double)> resolution;
     if (at_panel_resolution_)
       resolution = [controls = workspace_.laser.resolution](double radius) { return controls.of(radius); };
-    const auto cut = [commands = path_commands(path_.strokes(), workspace_.world().bounds().diagonal(),
-                                               resolution)](Document& document, const Progress* progress) {
+    const double diagonal = workspace_.world().bounds().diagonal();
+    std::vector<Command> commands = workspace_.laser.model == Model::kThermal
+                                        ? workspace_.laser.commands_of(path_.strokes(), diagonal, false)
+                                        : path_commands(path_.strokes(), diagonal, resolution);
+    uncut_.begin(workspace_, path_.strokes());
+    const auto cut = [commands = std::move(commands)](Document& document, const Progress* progress) {
       Outcome outcome = document.run_whole(commands, progress);
       if (!outcome.ok() && outcome.error().message == cancelled().message)
         outcome.fail(failed("Path stopped; nothing was cut."));
@@ -390,24 +409,10 @@ class PathFeature : public Feature {
   PathWork path_;
   bool at_panel_resolution_ = false;  // run with the Resolution panel, not like kerf cut --path
   PathPanel panel_;
+  UncutMarks uncut_;
   size_t kept_ = 0;                             // PathWork::changes() of the path stored in the document
   std::vector<std::filesystem::path> waiting_;  // path files, until a document is open
 };
-
-// Input
-// --------------------------------------------------------------------------------------------------------
-
-// Files
-// --------------------------------------------------------------------------------------------------------
-
-// The document
-// --------------------------------------------------------------------------------------------------------
-
-// Cutting
-// --------------------------------------------------------------------------------------------------------
-
-// Report
-// --------------------------------------------------------------------------------------------------------
 
 }  // namespace
 
@@ -523,7 +528,8 @@ void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* 
   const std::string run = with_shortcut(view, "Cuts along the path, like kerf cut --path.", "path.run");
   if (row_button("Run", 4, run_disabled_reason, run.c_str())) requests.run();
   ImGui::SameLine();
-  if (row_button("Load", 4, nullptr, "Loads a path file (.json); you can also drop one on the window."))
+  if (row_button("Load", 4, nullptr,
+                 "Loads a path (.json) or a G-code program; you can also drop one on the window."))
     requests.load();
   ImGui::SameLine();
   const char* empty_path_reason = path.empty() ? kEmpty : nullptr;

@@ -388,6 +388,8 @@ bool is_of_kind(const std::string& name, FileKind kind) {
       return is_journal(file);
     case FileKind::kDrawings:
       return is_drawing_file(file);
+    case FileKind::kPaths:
+      return job_kind(file) && !is_drawing_file(file);
     case FileKind::kAll:
       break;
   }
@@ -414,7 +416,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, std::string& fault)
     std::error_code unknown;
     if (at->is_directory(unknown)) {
       entries.push_back({name, true, 0});
-    } else if (at->is_regular_file(unknown) && (can_be_opened(at->path()) || is_drawing_file(at->path()))) {
+    } else if (at->is_regular_file(unknown) && (can_be_opened(at->path()) || job_kind(at->path()))) {
       const uintmax_t bytes = at->file_size(unknown);
       entries.push_back({name, false, unknown ? 0 : bytes});
     }

@@ -18,7 +18,7 @@
 namespace kerf {
 
 // The files that the dialog lists.
-enum class FileKind { kAll, kMeshes, kScenes, kJournals, kDrawings };
+enum class FileKind { kAll, kMeshes, kScenes, kJournals, kDrawings, kPaths };
 
 struct FolderEntry {
   std::string name;

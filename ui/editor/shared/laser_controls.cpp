@@ -79,6 +79,22 @@ CutSettings LaserControls::settings(double diagonal) const {
   return settings;
 }
 
+std::vector<Command> LaserControls::commands_of(std::span<const StrokePath> strokes, double diagonal,
+                                                bool with_knife) const {
+  std::vector<Command> commands;
+  for (const StrokePath& stroke : strokes) {
+    LaserControls own = *this;
+    own.radius = stroke.radius.value_or(radius);
+    own.power = stroke.power.value_or(power);
+    CutSettings cut = own.settings(diagonal);
+    if (with_knife) cut.laser.radius = 0;
+    if (stroke.range) cut.laser.range = *stroke.range;
+    const std::vector<Command> of_stroke = stroke_commands(stroke, cut);
+    commands.insert(commands.end(), of_stroke.begin(), of_stroke.end());
+  }
+  return commands;
+}
+
 namespace {
 
 bool rule_row(ResolutionControls& to) {

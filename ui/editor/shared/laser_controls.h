@@ -2,6 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/cut/cut_step.h"
 #include "core/document/document.h"
@@ -67,6 +69,10 @@ struct LaserControls {
   }
   // Returns the settings of a cut in a world with this diagonal [m]; the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
+  // Returns the commands that cut along strokes with these controls, of which radius, power and range of a
+  // stroke take precedence; `with_knife`: by a beam of radius 0.
+  std::vector<Command> commands_of(std::span<const StrokePath> strokes, double diagonal,
+                                   bool with_knife) const;
   // Sets the controls to the radius and the resolution of a stroke, within their range.
   void show(const CutSettings& settings);
   void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }

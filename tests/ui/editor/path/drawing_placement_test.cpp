@@ -7,6 +7,7 @@
 #include "core/document/extract.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/path/drawing_preview.h"
+#include "ui/editor/path/uncut_lines.h"
 
 namespace kerf {
 namespace {

@@ -166,10 +166,10 @@ class Path(WindowTest):
         self.assertNotIn("uncut_lines", editor.quit())
 
     def test_a_program_is_a_path_whose_uncut_strokes_are_marked_until_undo(self):
-        editor = self.open(PLATE)
+        editor = self.open(SPHERE)
         program = os.path.join(self.folder, "a.nc")
         with open(program, "w") as file:
-            file.write("G21 G90\nG0 X-200 Y0 Z500\nM3 S1\nG1 X200 F120000\nG1 Y100\nM5\n")
+            file.write("G21 G90\nG0 X-100 Y0 Z2000\nM3 S1\nG1 X200 F120000\nG1 Y100\nM5\n")
         editor.click("laser model", 0.5, 0.5)
         editor.do("Down")
         editor.do("Return")

@@ -154,15 +154,16 @@ vec3 own_light(vec3 n, Hot hot) {
 
 #endif
 
-// A colour with the edges of its face over it.
-vec3 with_wire(vec3 colour) {
+// A colour with the edges of its face over it, at 40 % of a dark line, or a light one where the paint is dark.
+vec3 with_wire(vec3 colour, vec3 paint) {
 #ifdef WIRE
   vec3 wide = fwidth(corner);
   vec3 inner = smoothstep(vec3(0.0), wide * 1.15, corner);
   float line = 1.0 - min(inner.x, min(inner.y, inner.z));
-  colour *= 1.0 - 0.65 * line;
+  colour *= 1.0 - 0.4 * line;
 #if !defined(DIRECT) && !defined(GLOW)
-  colour += vec3(0.20, 0.25, 0.31) * 0.55 * line;
+  float darkness = 1.0 - smoothstep(0.02, 0.12, dot(paint, vec3(0.2126, 0.7152, 0.0722)));
+  colour += vec3(0.10, 0.125, 0.155) * 0.4 * darkness * line;
 #endif
 #endif
   return colour;
@@ -236,7 +237,8 @@ void main() {
 #if defined(DIRECT) || defined(GLOW)
     pixel = vec4(0.0);
 #else
-    pixel = vec4(with_wire(mapped_colour(n, v)), 0.0);
+    vec3 mapped = mapped_colour(n, v);
+    pixel = vec4(with_wire(mapped, mapped), 0.0);
 #endif
     return;
   }
@@ -251,7 +253,7 @@ void main() {
 #endif
 #endif
   if (!gl_FrontFacing) colour *= body_look.z;
-  colour = with_wire(colour);
+  colour = with_wire(colour, skin_left(hot));
 #if defined(DIRECT) || defined(GLOW)
   pixel = vec4(colour * clear_air(at), 0.0);
 #else

@@ -21,6 +21,7 @@ TEST(GameSettings, round_trip) {
   s.taught = true;
   s.mode = GameMode::kTrial;
   s.vehicle = OwnVehicle::kVan;
+  s.arena = GameArena::kDepot;
   s.difficulty = Difficulty::kHard;
   s.preset = PicturePreset::kMedium;
   ASSERT_TRUE(write_game_settings(s, file).ok());

@@ -41,6 +41,7 @@ TEST(Recording, stores_all_controls_and_the_selected_car) {
   Recording recording;
   recording.rules = folder / "rules.json";
   recording.player = folder / "van.json";
+  recording.arena = folder / "depot.json";
   for (int buttons = 0; buttons < 8; ++buttons) {
     Controls& c = recording.controls.emplace_back();
     c.handbrake = buttons % 2 == 1;
@@ -55,6 +56,7 @@ TEST(Recording, stores_all_controls_and_the_selected_car) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->controls, recording.controls);
   EXPECT_EQ(read->player.lexically_normal(), recording.player);
+  EXPECT_EQ(read->arena.lexically_normal(), recording.arena);
 }
 
 TEST(Recording, stores_a_relative_path_to_its_rules) {

@@ -44,6 +44,22 @@ TEST(Match, the_world_is_deterministic_per_seed) {
   EXPECT_NE(hash_after(2, 4), hash);
 }
 
+TEST(Match, is_played_in_the_selected_arena) {
+  const auto depot = test::checkout() / "assets/arenas/depot.json";
+  const auto rules = load_rules(standard(), nullptr, {}, depot);
+  ASSERT_TRUE(rules) << rules.error().message;
+  EXPECT_EQ((*rules)->description.name, "standard, depot") << "it has high scores of its own";
+  EXPECT_EQ((*rules)->arena_file, depot);
+  Match match({*rules, 1, Difficulty::kNormal});
+  play(match, 2);
+  const Vec3 start = (*rules)->arena.description.player.position;
+  EXPECT_GT(glm::distance(match.world().body(match.vehicles()[0].chassis).placement.position, start), 1);
+  const auto same = load_rules(standard(), nullptr, {}, test::checkout() / "assets/arenas/yard.json");
+  ASSERT_TRUE(same);
+  EXPECT_TRUE((*same)->arena_file.empty()) << "the arena of the rules";
+  EXPECT_EQ((*same)->description.name, "standard");
+}
+
 TEST(Match, a_recording_replays_to_the_same_world) {
   const auto rules = load_rules(standard());
   ASSERT_TRUE(rules) << rules.error().message;

@@ -4,6 +4,7 @@
 _kerf_values() {
   case $1 in
     --align) echo none centre icp ;;
+    --arena) echo yard depot ;;
     --assist) echo none oxygen ;;
     --collider-names) echo unreal godot ;;
     --colliders) echo hull ;;

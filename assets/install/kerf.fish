@@ -16,6 +16,7 @@ complete -c kerf -l align -x -a 'none centre icp'
 complete -c kerf -l assist -x -a 'none oxygen'
 complete -c kerf -l collider-names -x -a 'unreal godot'
 complete -c kerf -l colliders -x -a hull
+complete -c kerf -l arena -x -a 'yard depot'
 complete -c kerf -l difficulty -x -a 'easy normal hard'
 complete -c kerf -l driver -x -a 'bot still'
 complete -c kerf -l format -x -a 'obj ply stl off glb gltf 3mf'

@@ -253,11 +253,11 @@ def hold(car):
         for name, side in fittings.SIDES:
             joints.hold(f"shock_{place}_{name}", f"axle_{place}", radius=0.08)
             joints.hold(f"fender_{place}_{name}", "body" if end == 0 else "frame", radius=0.08)
-    for name in ("dashboard", "lamp_left", "lamp_right", "tank", "exhaust_left", "exhaust_right",
-                 "seat_driver", "seat_passenger"):
-        to = {"tank": "body", "seat_driver": "body", "seat_passenger": "body", "lamp_left": "body",
-              "lamp_right": "body", "dashboard": "frame"}.get(name, "engine")
+    for name in ("dashboard", "lamp_left", "lamp_right", "tank", "exhaust_left", "exhaust_right"):
+        to = {"tank": "body", "lamp_left": "body", "lamp_right": "body",
+              "dashboard": "frame"}.get(name, "engine")
         joints.hold(name, to, radius=0.12)
+    fittings.hang_seats(car)
     joints.hold("column", "dashboard")
     joints.hold("steering_wheel", "column")
     for name in ("lamps_roof", "light_rear_left", "light_rear_right", "board_left", "board_right"):

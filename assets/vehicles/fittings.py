@@ -154,6 +154,16 @@ def tank(centre, size):
     return box(centre, size, "tank", (4, 2, 3), top=0.94)
 
 
+def hang_seats(car):
+    """Welds each seat to the body near the four corners of its foot."""
+    for name in ("seat_driver", "seat_passenger"):
+        xs, ys, zs = zip(*(p for _, polygon in car.parts[name] for p in polygon))
+        foot = [(x, z) for x, y, z in zip(xs, ys, zs) if y < min(ys) + 0.15]
+        (left, right), (rear, front) = ((min(a), max(a)) for a in zip(*foot))
+        car.joints.hold(name, "body", [(left + a * (right - left), min(ys), rear + b * (front - rear))
+                                       for a in (0.15, 0.85) for b in (0.15, 0.85)], 0.08)
+
+
 def hang_wheels(car, track, radius, axles, inner, driven, travel=0.22):
     """Joints of wheels and axles, and the wheels' entries; `driven` names the driven ends."""
     joints = car.joints

@@ -7,7 +7,7 @@ from car_shape import AXLES, WHEEL_RADIUS
 from car_sheet import moved
 from car_wheels import TRACK_X, axles, wheels
 from engine_block import engine, radiator
-from fittings import exhaust, hang_laser, tank
+from fittings import exhaust, hang_laser, hang_seats, tank
 from vehicle import Vehicle
 
 LASER = (0.0, 1.405, -0.25)
@@ -47,8 +47,7 @@ def hold(car):
             joints.hold_together(wheel)
         joints.hold(f"axle_{end}", "body", [(x, WHEEL_RADIUS + 0.035, z) for x in (0.5, -0.5)],
                     0.12)
-    for name in ("seat_driver", "seat_passenger"):
-        joints.hold(name, "body", radius=0.14)
+    hang_seats(car)
     joints.hold("bench", "body", [(0.5, 0.4, -0.95), (-0.5, 0.4, -0.95)], 0.1)
     joints.hold("dashboard", "body", [(x, 0.195, 0.86) for x in (0.35, -0.35)], 0.08)
     joints.hold("steering_wheel", "dashboard", [(DRIVER_X, 0.85, 0.5)], 0.07)

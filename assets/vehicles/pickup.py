@@ -211,8 +211,8 @@ def hold(car):
     for name in ("bumper_front", "bumper_rear"):
         sign = 1 if name.endswith("front") else -1
         joints.hold(name, "body", [(x, 0.57, 2.4 * sign) for x in (0.7, -0.7)], 0.1)
-    for name in ("seat_driver", "seat_passenger", "dashboard"):
-        joints.hold(name, "body", radius=0.14)
+    joints.hold("dashboard", "body", radius=0.14)
+    fittings.hang_seats(car)
     joints.hold("tank", "body", [(0.66, 0.43, z) for z in (-0.45, -0.8)], 0.12)
     joints.hold("steering_wheel", "dashboard", radius=0.07)
     joints.hold("engine", "body", [(0.52, 0.67, 1.5), (-0.52, 0.67, 1.5), (0.1, 0.43, 1.57),

@@ -209,8 +209,9 @@ def hold(car):
     joints.hold("ladder", "rack", [(x, 2.14, z) for x in (0.05, 0.42) for z in (-0.62, -1.94)])
     joints.hold("bulkhead", "body", [(x, 0.3, 0.0) for x in (0.6, -0.6)]
                 + [(x, 1.0, 0.0) for x in (0.95, -0.95)], 0.1)
-    for name in ("case_1", "case_2", "case_4", "seat_driver", "seat_passenger", "dashboard"):
+    for name in ("case_1", "case_2", "case_4", "dashboard"):
         joints.hold(name, "body", radius=0.14)
+    fittings.hang_seats(car)
     joints.hold("exhaust", "body", [(-0.3, 0.28, 0.8), (-0.3, 0.28, -2.3)], 0.1)
     joints.hold("tank", "body", [(0.28, 0.285, z) for z in (0.1, 0.6)], 0.12)
     joints.hold("case_3", "case_1")

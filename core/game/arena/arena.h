@@ -118,8 +118,9 @@ std::vector<Triangle> fixed_faces(const Arena& arena);
 bool is_drivable(const Triangle& t);
 
 // The drivable space of an arena: a grid of spots on two floors. The lower floor is the ground; the upper
-// one is the highest slope below kHighest, such as ramps and bridges, without parapets. A spot is blocked if a
-// fixed body leaves no room for a vehicle above it, or if it cannot be reached from the start of the player.
+// one is the highest slope below kHighest, such as ramps and bridges, without parapets. A spot is blocked if
+// a fixed body leaves no room for a vehicle above it, or if it cannot be reached from the start of the
+// player.
 class FreeSpace {
  public:
   static constexpr double kCell = 0.75;    // m

@@ -28,7 +28,10 @@ class ReferenceMeshTest : public testing::Test {
  protected:
   std::filesystem::path written(const Soup& soup) const {
     const std::filesystem::path file = folder_.path() / "reference.obj";
-    EXPECT_TRUE(write_mesh({soup.positions, soup.triangles}, file, MeshFormat::kObj));
+    MeshView mesh;
+    mesh.positions = soup.positions;
+    mesh.triangles = soup.triangles;
+    EXPECT_TRUE(write_mesh(mesh, file, MeshFormat::kObj));
     return file;
   }
   std::shared_ptr<const ReferenceMesh> loaded(const World& world, const Soup& soup,

@@ -38,8 +38,8 @@ ReferenceMesh::ReferenceMesh(std::filesystem::path path, Mesh built, bool is_clo
 
 Result<std::shared_ptr<const ReferenceMesh>> load_reference(const World& world,
                                                             const ReferenceRequest& request,
-                                                            const Progress& progress) {
-  ProgressShares shares(&progress);
+                                                            const Progress* progress) {
+  ProgressShares shares(progress);
   const Progress loading = shares.next(0.4), building = shares.next(0.1), aligning = shares.next(0.25),
                  measuring = shares.next(0.25);
   auto built = load_mesh(request.file, &loading, request.reading);
@@ -73,7 +73,7 @@ void ReferenceLoader::begin(const World& world, ReferenceRequest request) {
       job->fraction = fraction;
       return !job->stopped;
     }};
-    return load_reference(*job->world, job->request, progress);
+    return load_reference(*job->world, job->request, &progress);
   });
 }
 

@@ -42,10 +42,10 @@ struct ReferenceRequest {
 
 // Loads a reference, aligns the visible faces of the world with it and measures their distances, as `kerf
 // compare` does. Fails like load_mesh(), with bad input if no face is visible, and with cancelled() when
-// stopped.
+// stopped; `progress` may be null.
 Result<std::shared_ptr<const ReferenceMesh>> load_reference(const World& world,
                                                             const ReferenceRequest& request,
-                                                            const Progress& progress);
+                                                            const Progress* progress);
 
 // Loads a reference on another thread, from a copy of the world.
 class ReferenceLoader {

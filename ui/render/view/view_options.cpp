@@ -353,7 +353,7 @@ static glm::dvec3 sequential_oklab(double s) {
 // Two hues that red-green blindness does not confuse; lightness peaks at the middle.
 static glm::dvec3 diverging_oklab(double s) {
   const double from_middle = std::abs(2 * s - 1);
-  return oklab_of(0.93 - 0.48 * from_middle, 0.14 * from_middle, s < 0.5 ? 255 : 50);
+  return oklab_of(0.93 - 0.43 * from_middle, 0.12 * from_middle, s < 0.5 ? 255 : 50);
 }
 
 glm::dvec3 linear_scalar_colour(ColourScale scale, double t) {

@@ -36,7 +36,7 @@ class ReferenceMeshTest : public testing::Test {
   }
   std::shared_ptr<const ReferenceMesh> loaded(const World& world, const Soup& soup,
                                               Alignment alignment = Alignment::kNone) const {
-    auto reference = load_reference(world, {written(soup), {}, alignment}, Progress());
+    auto reference = load_reference(world, {written(soup), {}, alignment}, nullptr);
     EXPECT_TRUE(reference) << reference.error().message;
     return *reference;
   }
@@ -103,7 +103,7 @@ TEST_F(ReferenceMeshTest, alignment_moves_the_distances_but_not_the_scene) {
 TEST_F(ReferenceMeshTest, hidden_bodies_are_not_compared) {
   World world = world_of(cube(1));
   world.body(world.ids().front()).hidden = true;
-  const auto reference = load_reference(world, {written(cube(1)), {}, Alignment::kNone}, Progress());
+  const auto reference = load_reference(world, {written(cube(1)), {}, Alignment::kNone}, nullptr);
   ASSERT_FALSE(reference);
   EXPECT_EQ(reference.error().message, "No piece is visible, so there is nothing to compare.");
 }

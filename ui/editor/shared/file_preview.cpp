@@ -327,7 +327,7 @@ void FilePreviewer::select(const std::optional<PreviewRequest>& request) {
   if (selected_ == request) return;
   selected_ = request;
   shown_.reset();
-  texture_.reset();
+  is_sent_ = false;
   if (job_) {
     job_->cancelled = true;
   } else {
@@ -359,7 +359,8 @@ void FilePreviewer::update(double seconds) {
 
 TipPicture FilePreviewer::picture() {
   KERF_ASSERT(shown_);
-  if (!texture_) send_picture(shown_->picture, texture_.emplace());
+  if (!texture_) texture_.emplace();
+  if (!std::exchange(is_sent_, true)) send_picture(shown_->picture, *texture_);
   return {texture_->name(), {shown_->picture.width, shown_->picture.height}};
 }
 

@@ -75,7 +75,9 @@ class FilePreviewer {
   std::optional<PreviewRequest> selected_;
   std::optional<FilePreview> shown_;  // of the selected file
   std::unique_ptr<Job> job_;          // of the selected file, or a cancelled one before it
+  // Of the last image. It outlives the selection, because the lists of the current frame may refer to it.
   std::optional<gl::Texture> texture_;
+  bool is_sent_ = false;  // the texture holds the image of shown_
 };
 
 }  // namespace kerf

@@ -42,6 +42,17 @@ class Files(WindowTest):
         frame = editor.quit()["view"]["frame"]
         self.assertEqual(self.settings()["frames"], {"stl": frame})
 
+    def test_a_path_with_a_slash_begins_in_the_folder_of_the_dialog(self):
+        os.makedirs(os.path.join(self.folder, "below"))
+        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), os.path.join(self.folder, "below", "one.obj"))
+        editor = self.open(SPHERE)
+        editor.do("ctrl", "o")
+        editor.part("browser")
+        for text in (self.folder, "below/../below/", "../below/one.obj"):
+            editor.type(text)
+            editor.do("Return")
+        editor.wait_for_title("one.obj - Kerf")
+
     def test_a_valid_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)

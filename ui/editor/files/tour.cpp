@@ -376,7 +376,9 @@ class WelcomeFeature : public Feature {
       draw_recent();
       draw_scenes();
       ImGui::Spacing();
+      ImGui::PushTextWrapPos(0);
       ImGui::TextDisabled("Press any key to close. Reopen from Help > Welcome.");
+      ImGui::PopTextWrapPos();
     }
     ImGui::End();
     ImGui::PopStyleVar();

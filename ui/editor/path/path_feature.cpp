@@ -314,13 +314,19 @@ class PathFeature : public Feature {
     waiting_.push_back(file);
     return true;
   }
-  // Reads a path file, or a program, whose beam goes down as with kerf cut --gcode.
+  // Reads a path file, or a program, whose beam points down and whose lengths are true in the unit of the
+  // document.
   Result<std::vector<StrokePath>> read(const std::filesystem::path& file) const {
     if (job_kind(file) != JobFile::Kind::kProgram) return read_path_file(file);
     constexpr double kOfRadius = 50;
-    const auto job = read_job(file, JobFile::Kind::kProgram, workspace_.laser.radius / kOfRadius);
+    const auto job =
+        read_job(file, JobFile::Kind::kProgram,
+                 workspace_.laser.radius * metres_per_unit(workspace_.view.frame.unit) / kOfRadius);
     if (!job) return job.error();
-    return program_strokes(job->program, *plane_onto("-y"), std::nullopt);
+    const FileFrame& frame = workspace_.view.frame;
+    JobPlane plane = *plane_onto(frame.up == UpAxis::kZ ? "-z" : "-y");
+    plane.scale = 1 / metres_per_unit(frame.unit);
+    return program_strokes(job->program, plane, std::nullopt);
   }
   // Loads such a file, which can be undone, and activates the Path tool. Returns the reason on failure, else
   // an empty text.

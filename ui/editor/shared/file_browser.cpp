@@ -87,14 +87,16 @@ std::vector<size_t> left_by_filter(const FileBrowser& b) {
   return left;
 }
 
-// Returns the path that was typed: absolute, or from the home folder.
+// Returns the path that was typed: absolute, from the home folder or, to open a file, with a slash.
 std::optional<fs::path> typed_path(const FileBrowser& b) {
   const std::string text = b.name.data();
   if (text.empty()) return std::nullopt;
   if (text.front() == '/') return text;
   const fs::path home = home_folder();
   if (text.front() == '~' && !home.empty()) return home.string() + text.substr(1);
-  return std::nullopt;
+  if (!opens(b) || text.find('/') == std::string::npos) return std::nullopt;
+  const fs::path relative = (b.folder / text).lexically_normal();
+  return relative.has_filename() ? relative : relative.parent_path();
 }
 
 // Returns those of the files to be written that exist.

@@ -622,7 +622,8 @@ void settings_page_key(SettingsPage& page, Settings& settings, std::span<const U
   if (waits) return bind_pressed(page, settings, usual, key, mods);
   if (key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_PAGE_DOWN)
     return turn_page(page, key == GLFW_KEY_PAGE_UP ? -1 : 1);
-  if (key == GLFW_KEY_F && (mods & GLFW_MOD_CONTROL) != 0) page.take_focus = true;
+  const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z && (mods & ~GLFW_MOD_SHIFT) == 0;
+  if (is_letter || (key == GLFW_KEY_F && (mods & GLFW_MOD_CONTROL) != 0)) page.take_focus = true;
   const std::vector<UserAction> actions = bindable(usual, settings.bindings);
   const std::vector<SettingRow> rows = listed_rows(page, settings, actions);
   if (move_cursor(page, rows.size(), key) || page.in_search || page.cursor >= rows.size()) return;

@@ -38,6 +38,17 @@ TEST(SettingsPageKeys, turn_pages_and_change_values) {
   EXPECT_EQ(bench.page.page, Page::kFiles);
 }
 
+TEST(SettingsPageKeys, a_letter_returns_to_the_search) {
+  Bench bench;
+  bench.page.take_focus = false;
+  bench.press(GLFW_KEY_DOWN);
+  EXPECT_FALSE(bench.page.take_focus);
+  bench.press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  EXPECT_FALSE(bench.page.take_focus);
+  bench.press(GLFW_KEY_Z);
+  EXPECT_TRUE(bench.page.take_focus);
+}
+
 TEST(SettingsPageKeys, a_search_reaches_the_rows_of_all_pages) {
   Bench bench;
   for (const char* words : {"autosave", "EDIT least time"}) {

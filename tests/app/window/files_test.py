@@ -1,6 +1,7 @@
 """Opening files, and work that is not lost."""
 import json
 import os
+import shutil
 import signal
 import struct
 import subprocess

@@ -1,6 +1,5 @@
 #include "core/api/api_internal.h"
 
-#include <xmmintrin.h>
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
@@ -25,6 +24,10 @@
 #include "core/mesh/mesh_file.h"
 #include "core/world/world.h"
 
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
 namespace kerf {
 
 namespace {
@@ -43,26 +46,32 @@ StoredError& stored_error() {
   return message;
 }
 
-// Sets rounding to nearest and no flushing of denormals (as -ffast-math sets it) during its lifetime.
+// Sets rounding to nearest and no flushing of denormals (as -ffast-math sets it) during its lifetime. On
+// arm64 the environment includes the flushing.
 class DefaultArithmetic {
  public:
-  DefaultArithmetic() : control_(_mm_getcsr()) {
+  DefaultArithmetic() {
     std::fegetenv(&environment_);
     std::fesetenv(FE_DFL_ENV);
+#ifdef __SSE__
     _mm_setcsr(kDefault);
+#endif
   }
   ~DefaultArithmetic() {
     std::fesetenv(&environment_);
+#ifdef __SSE__
     _mm_setcsr(control_);
+#endif
   }
   DefaultArithmetic(const DefaultArithmetic&) = delete;
   DefaultArithmetic& operator=(const DefaultArithmetic&) = delete;
 
  private:
-  static constexpr unsigned kDefault = 0x1f80;
-
   std::fenv_t environment_{};
-  unsigned control_;
+#ifdef __SSE__
+  static constexpr unsigned kDefault = 0x1f80;
+  unsigned control_ = _mm_getcsr();
+#endif
 };
 
 }  // namespace

@@ -1,0 +1,13 @@
+# Cross-compiles for arm64 with Debian's compiler and the libraries of KERF_SYSROOT (see tests/run).
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES KERF_SYSROOT)
+set(CMAKE_SYSROOT ${KERF_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${KERF_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${KERF_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${KERF_SYSROOT}/usr/share/pkgconfig)

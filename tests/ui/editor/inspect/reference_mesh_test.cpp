@@ -70,7 +70,7 @@ TEST_F(ReferenceMeshTest, a_smaller_cube_lies_inside_and_the_colours_are_symmetr
 TEST_F(ReferenceMeshTest, an_open_reference_gives_distances_without_sign) {
   const World world = world_of(cube(0.8));
   ScalarMap map;
-  map.set_reference(loaded(world, test::moved(test::plate(2), {-1, 0.5, -1}, 1)));
+  map.set_reference(loaded(world, test::moved(test::plate(2), {0, 0.5, 0}, 1)));
   map.show(FaceQuantity::kDeviation);
   map.update(world, {});
   EXPECT_EQ(map.scale(), ColourScale::kSequential);

@@ -162,7 +162,7 @@ vec3 with_wire(vec3 colour, vec3 paint) {
   float line = 1.0 - min(inner.x, min(inner.y, inner.z));
   colour *= 1.0 - 0.4 * line;
 #if !defined(DIRECT) && !defined(GLOW)
-  float darkness = 1.0 - smoothstep(0.02, 0.12, dot(paint, vec3(0.2126, 0.7152, 0.0722)));
+  float darkness = 1.0 - smoothstep(0.02, 0.03, dot(paint, vec3(0.2126, 0.7152, 0.0722)));
   colour += vec3(0.10, 0.125, 0.155) * 0.4 * darkness * line;
 #endif
 #endif

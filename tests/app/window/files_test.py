@@ -44,9 +44,9 @@ class Files(WindowTest):
         self.assertEqual(self.settings()["frames"], {"stl": frame})
 
     def test_a_path_with_a_slash_begins_in_the_folder_of_the_dialog(self):
+        editor = self.open(SPHERE)
         os.makedirs(os.path.join(self.folder, "below"))
         shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), os.path.join(self.folder, "below", "one.obj"))
-        editor = self.open(SPHERE)
         editor.do("ctrl", "o")
         editor.part("browser")
         for text in (self.folder, "below/../below/", "../below/one.obj"):

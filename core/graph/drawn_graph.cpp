@@ -451,7 +451,11 @@ GraphLayout lay_out_by_force(const DrawnGraph& graph) {
   GraphLayout places = lay_out_by_position(graph);
   if (places.empty()) return places;
   Random random(1);
-  for (Vec2& p : places) p += kJitter * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+  for (Vec2& p : places) {
+    // Not as arguments of one call, whose order differs between compilers.
+    const double y = random.uniform(-1, 1), x = random.uniform(-1, 1);
+    p += kJitter * Vec2(x, y);
+  }
   Forces forces(graph, places);
   for (int i = 0; i < kTurns; ++i) forces.turn(0.1 * (kTurns - i) / kTurns);
   fit(places);

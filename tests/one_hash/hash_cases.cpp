@@ -73,7 +73,8 @@ class Case {
 
   Vec3 direction() {
     for (;;) {
-      const Vec3 v(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+      // Braces evaluate from left to right; compilers differ in the order of other arguments.
+      const Vec3 v{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
       const double length2 = glm::dot(v, v);
       if (length2 > 0.01 && length2 < 1) return v / std::sqrt(length2);
     }

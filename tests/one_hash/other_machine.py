@@ -2,7 +2,7 @@
 
 HERE and THERE are folders with made_cuts and hash_cases, built for this machine and for the other one, whose programs
 EMULATOR runs. CASES is the number of random strokes; the other kinds have as many or fewer. Lists the number of equal
-lines by kind and the first difference of each kind.
+lines by kind and the first difference of each kind. Fails if there is one where no body moves.
 """
 import concurrent.futures
 import os
@@ -13,6 +13,9 @@ import time
 MESHES = ("bracket.obj", "knot.obj", "plate.obj")
 # Kinds of hash_cases, those that take long first, and the share of CASES.
 SHARES = {"prepare": 0.2, "heat": 0.5, "fall": 0.2, "solid": 1, "stroke": 1, "shadow": 1}
+
+# Kinds of lines with moving bodies, whose bits depend on the kind of machine (core/physics/physics.h).
+MOTION = {"fall", "journal", "match"}
 
 
 def lines_of(command):
@@ -57,8 +60,8 @@ def main(checkout, here, there, cases, *emulator):
             for kind, (equal, unequal) in counts.items():
                 print(f"{kind}: {equal} of {equal + unequal} lines are equal ({seconds:.0f} s)", flush=True)
     for kind, text in differences.items():
-        print(f"{kind}, the first difference:\n  {text}")
-    sys.exit(1 if differences else 0)
+        print(f"{kind}, the first difference{' of motion' if kind in MOTION else ''}:\n  {text}")
+    sys.exit(1 if differences.keys() - MOTION else 0)
 
 
 if __name__ == "__main__":

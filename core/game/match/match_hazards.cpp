@@ -23,7 +23,7 @@ constexpr double kBurstDebris = 6;                 // m/s, of light bodies
 constexpr double kBurstCrash = 6;                  // m/s above kCrash, that parts near a tank feel
 constexpr double kBurstBreaks = 0.6;               // share of the effect from which joints break
 
-// The middle of the contacts of two bodies in the last tick [m, in the world]; nullopt if there are none.
+// Returns the middle of the contacts of two bodies in the last tick [m, in the world]; nullopt without any.
 std::optional<Vec3> touched_at(const Physics& physics, BodyId first, BodyId second) {
   const std::pair bodies(std::min(first, second), std::max(first, second));
   for (const TouchingPair& pair : physics.pairs()) {
@@ -35,7 +35,7 @@ std::optional<Vec3> touched_at(const Physics& physics, BodyId first, BodyId seco
   return std::nullopt;
 }
 
-// The effect of a burst at a distance [m], 1 to 0.
+// Returns the effect of a burst at a distance [m], from 1 near the tank to 0.
 double burst_share(double distance) {
   return std::clamp((kBurstFar - distance) / (kBurstFar - kBurstNear), 0.0, 1.0);
 }
@@ -69,7 +69,7 @@ std::vector<Motion> Match::falling_motions() const {
   return motions;
 }
 
-// `motions`: of the falling bodies before the contact stopped them.
+// `motions` are those of the falling bodies before the contact stopped them.
 void Match::strike(const std::vector<Motion>& motions, const PlacementsBefore& before) {
   KERF_ASSERT(motions.size() == falling_.size());
   for (size_t i = 0; i < falling_.size(); ++i) {

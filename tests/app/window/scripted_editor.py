@@ -25,6 +25,7 @@ class ScriptedEditor(EditorDriver):
                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, bufsize=1)
         self.pointer = [0, 0]
         self.held = set()
+        self.answers = 0  # read so far
         self.send({"draws": False})
         self.send({"frame": FRAME})
         if arguments[:1] != ("play",):  # a match never settles
@@ -43,6 +44,7 @@ class ScriptedEditor(EditorDriver):
         if not line:
             self.kerf.wait(timeout=HANG)
             self.expect_running()
+        self.answers += 1
         return json.loads(line)
 
     def pause(self, seconds):
@@ -141,6 +143,7 @@ class ScriptedEditor(EditorDriver):
     def has_ended(self, _):
         self.send({"answer": "title"})
         if self.kerf.stdout.readline():
+            self.answers += 1
             return False
         self.kerf.wait(timeout=HANG)
         return True

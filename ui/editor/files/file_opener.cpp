@@ -313,6 +313,7 @@ void Recovery::begin(const DocumentSession& session, const ViewState& view) {
   head_ = session.scene.others;
   autosave_.begin(scene_now(session, view), session.file, session.files);
   written_at_.reset();
+  flushed_at_.reset();
 }
 
 bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, const Time& time,
@@ -320,15 +321,14 @@ bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mous
   if (!needs_recovery_file(session, view.look.lights)) {
     if (autosave_.keeps()) autosave_.drop();
     written_at_.reset();
+    flushed_at_.reset();
     return true;
   }
   mark_state(session.document, session.marks);
   const double from = well_ ? written_at_.value_or(time.seconds) + (written_at_ ? time.interval : 0)
                             : tried_at_ + kBetweenTries;
-  if (time.seconds < from) {
-    autosave_.flush();
-    return well_;
-  }
+  if (!autosave_.flush()) flushed_at_ = written_at_;
+  if (time.seconds < from) return well_;
   const bool changed = view.look.lights != lights_ || session.scene.others != head_;
   if (!mouse_moves && changed) begin(session, view);
   const bool writes = autosave_.is_behind(session.document, session.marks);

@@ -59,8 +59,9 @@ class Recovery {
   // retries every second. Returns true if the last attempt succeeded.
   bool follow(DocumentSession& session, const ViewState& view, bool mouse_moves, const Time& time,
               Message& message);
-  // Seconds of the clock at which changes were last written; nullopt if there are none to recover.
-  std::optional<double> written_at() const { return written_at_; }
+  // Seconds of the clock at which the changes that have reached the disk were written; nullopt if there are
+  // none to recover.
+  std::optional<double> flushed_at() const { return flushed_at_; }
   void drop() { autosave_.drop(); }
 
  private:
@@ -69,7 +70,7 @@ class Recovery {
   std::string head_;           // SceneDescription::others as stored
   bool well_ = true;           // the last attempt succeeded
   double tried_at_ = 0;        // s of the clock, of the last attempt
-  std::optional<double> written_at_;
+  std::optional<double> written_at_, flushed_at_;
 };
 
 // Describes the age of an autosave [s]: "autosaved", "autosaved 20 s ago", "autosaved 3 min ago". Steps are

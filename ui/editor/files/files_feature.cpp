@@ -169,7 +169,9 @@ class FilesFeature : public Feature {
     take_picture(what);
   }
   void add_landmarks(Landmarks& landmarks) const override {
-    if (decisions_.question.open()) landmarks.mark("question", {workspace_.input.pointer, Vec2(1)});
+    const Area somewhere{workspace_.input.pointer, Vec2(1)};
+    if (decisions_.question.open()) landmarks.mark("question", somewhere);
+    if (!state_of_autosave().empty()) landmarks.mark("autosaved", somewhere);
   }
   void write_session_log(nlohmann::ordered_json& report) const override {
     nlohmann::ordered_json& names = report["files"] = nlohmann::ordered_json::array();
@@ -286,7 +288,7 @@ class FilesFeature : public Feature {
   }
   // Empty if everything is saved, or if the autosave failed.
   std::string state_of_autosave() const {
-    const std::optional<double> at = recovery_.written_at();
+    const std::optional<double> at = recovery_.flushed_at();
     return at && is_autosaved_ ? autosave_words(workspace_.screen.clock->seconds() - *at) : "";
   }
   // Makes the next check record the present state of the files.

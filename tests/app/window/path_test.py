@@ -142,6 +142,25 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         self.assertEqual(editor.quit()["state_hash"], whole)
 
+    def test_a_drawing_is_recut_and_undone_as_a_whole(self):
+        lines = "".join(f'<path d="M20 {y}h50"/>' for y in (20, 40, 60))
+        editor = self.open_drawing(f'<svg width="90mm" height="90mm" viewBox="0 0 90 90">{lines}</svg>')
+        whole = editor.ask("report")["state_hash"]
+        editor.do("Return")
+        editor.settle()
+        narrow = editor.ask("report")
+        editor.drag([("header radius", 0.5, 0.5), ("header radius", 0.7, 0.5)])
+        editor.settle()
+        wide = editor.ask("report")
+        self.assertEqual([r["strokes"] for r in (narrow, wide)], [3, 3])
+        self.assertEqual((wide["recuts"], wide["undo_depth"]), (1, 3))
+        times = wide["last_stroke"]["radius"] / narrow["last_stroke"]["radius"]
+        self.assertGreater(times, 1.2)
+        self.assertGreater(wide["removed_area"], 0.5 * (1 + times) * narrow["removed_area"])
+        editor.do("ctrl", "z")
+        report = editor.quit()
+        self.assertEqual((report["state_hash"], report["messages"][-1]), (whole, "Undo: Cut drawing"))
+
     def test_lines_that_the_thermal_beam_does_not_cut_through_are_marked_until_undo(self):
         editor = self.open(PLATE)
         drawing = os.path.join(self.folder, "a.svg")

@@ -14,6 +14,13 @@ namespace kerf {
 
 namespace {
 
+// A step of the history, or a group of steps.
+struct Row {
+  size_t position = 0;  // of the history, after the step
+  std::string removed;  // the area that the step removed
+  std::string weight;
+};
+
 // The steps of the history, to jump to by a click, and their memory limit.
 class HistoryPanel {
  public:
@@ -21,54 +28,69 @@ class HistoryPanel {
 
  private:
   void draw_list(WorldChanges& changes, const Document& document, FileUnit unit);
-  void list_rows(const StepGroups& groups, const UndoStack& history);
+  void list_rows(const StepGroups& groups, const UndoStack& history, FileUnit unit);
 
-  std::vector<size_t> rows_;  // positions of the history
-  size_t shown_ = 0;          // the position that the list was scrolled to
+  std::vector<Row> rows_;
+  size_t shown_ = 0;  // the position that the list was scrolled to
 };
 
 constexpr size_t kMaxRows = 10;
 
-// Formats the memory of the before-images, by which a step is undone at once.
-std::string weight_text(const HistoryStep& step) {
-  if (step.images() == HistoryStep::Images::kNone) return "pending";
-  if (step.images() == HistoryStep::Images::kDiscarded) return "by replay";
-  const double kilobytes = static_cast<double>(step.totals().bytes) / 1024;
+// Formats the memory of the before-images of the steps from .. to - 1, by which they are undone at once.
+std::string weight_text(const UndoStack& history, size_t from, size_t to) {
+  size_t bytes = 0;
+  for (size_t i = from; i < to; ++i) {
+    if (history.step(i).images() == HistoryStep::Images::kNone) return "pending";
+    bytes += history.step(i).totals().bytes;
+  }
+  if (!history.holds_images(from, to)) return "by replay";
+  const double kilobytes = static_cast<double>(bytes) / 1024;
   return kilobytes < 1000 ? text_of("%.0f kB", kilobytes) : text_of("%.1f MB", kilobytes / 1024);
 }
 
-std::string removed_text(const HistoryStep& step, FileUnit unit) {
-  return step.totals().removed_area > 0 ? area_label(step.totals().removed_area, unit) : "";
+std::string removed_text(const UndoStack& history, size_t from, size_t to, FileUnit unit) {
+  double area = 0;
+  for (size_t i = from; i < to; ++i) area += history.step(i).totals().removed_area;
+  return area > 0 ? area_label(area, unit) : "";
 }
 
-template <typename Text>
-float widest(const UndoStack& history, const Text& text) {
+// Returns the row of a position of the history, and of its group if it ends one.
+Row row_at(const UndoStack& history, const StepGroups& groups, size_t position, FileUnit unit) {
+  if (position == 0) return {};
+  const StepGroups::Group* group = groups.at(position, true);
+  const size_t from = group != nullptr ? group->from : position - 1;
+  return {position, removed_text(history, from, position, unit), weight_text(history, from, position)};
+}
+
+// Names the step, or the group of steps, that an undo (`back`) or a redo from a position covers.
+std::string step_or_group(const UndoStack& history, const StepGroups& groups, size_t position, bool back,
+                          FileUnit unit) {
+  const StepGroups::Group* group = groups.at(position, back);
+  return group != nullptr ? group->name : step_words(history, back ? position - 1 : position, unit);
+}
+
+float widest(const std::vector<Row>& rows, std::string Row::*text) {
   float width = 1;
-  for (size_t i = 0; i < history.size(); ++i)
-    width = std::max(width, ImGui::CalcTextSize(text(history.step(i)).c_str()).x);
+  for (const Row& row : rows) width = std::max(width, ImGui::CalcTextSize((row.*text).c_str()).x);
   return width;
 }
 
-struct Row {
-  std::string name;
-  std::string removed = {};  // the area that the step removed
-  std::string weight = {};
-};
-
-bool draw_row(size_t now, size_t position, const Row& row) {
+// Draws the row. Returns true if it was clicked and does not end at the current position `now`.
+bool draw_row(size_t now, const Row& row, const std::string& name) {
+  const size_t position = row.position;
   ImGui::PushID(static_cast<int>(position));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool undone = position > now;
   if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  const std::string label = fitted_label(row.name, ImGui::GetContentRegionAvail().x);
+  const std::string label = fitted_label(name, ImGui::GetContentRegionAvail().x);
   const bool clicked = ImGui::Selectable(label.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
   mark_last_item("history row", static_cast<int>(position));
   const char* meaning = position == now ? "Current state."
                         : undone        ? "Undone. Click to redo up to this step."
                                         : "Click to undo back to this step; later steps can be redone.";
-  tooltip((row.name + ". " + meaning).c_str());
+  tooltip((name + ". " + meaning).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.removed.c_str());
   tooltip("Area removed by this step.");
@@ -82,14 +104,6 @@ bool draw_row(size_t now, size_t position, const Row& row) {
   }
   ImGui::PopID();
   return clicked && position != now;
-}
-
-// Draws the row of a position of the history. Returns true if it was clicked.
-bool draw_step(const UndoStack& history, size_t position, FileUnit unit) {
-  if (position == 0) return draw_row(history.position(), 0, {"Original file"});
-  const HistoryStep& step = history.step(position - 1);
-  return draw_row(history.position(), position,
-                  {step_words(history, position - 1, unit), removed_text(step, unit), weight_text(step)});
 }
 
 void draw_window(const Document& document, Settings& settings) {
@@ -107,11 +121,12 @@ void draw_window(const Document& document, Settings& settings) {
   end_properties();
 }
 
-// Steps of some groups share a row, unless the current position is between them.
-void HistoryPanel::list_rows(const StepGroups& groups, const UndoStack& history) {
+// Steps of a group share a row, and another if the current position is between them.
+void HistoryPanel::list_rows(const StepGroups& groups, const UndoStack& history, FileUnit unit) {
   rows_.clear();
   for (size_t position = 0; position <= history.size(); ++position) {
-    if (groups.has_row(position) || position == history.position()) rows_.push_back(position);
+    if (groups.has_row(position) || position == history.position())
+      rows_.push_back(row_at(history, groups, position, unit));
   }
 }
 
@@ -119,21 +134,24 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
   constexpr ImGuiTableFlags kList =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   const UndoStack& history = document.history();
-  list_rows(changes.groups(), history);
+  list_rows(changes.groups(), history, unit);
   const float height = height_of_rows(std::min(rows_.size(), kMaxRows));
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
-  const auto removed = [unit](const HistoryStep& step) { return removed_text(step, unit); };
-  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(history, removed));
-  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(history, weight_text));
-  draw_rows_in_sight(rows_.size(), [&](size_t row) {
-    const size_t position = rows_[row];
-    if (draw_step(history, position, unit))
-      changes.enqueue("Travel", [&changes, position] { changes.travel_to(position); });
+  ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(rows_, &Row::removed));
+  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(rows_, &Row::weight));
+  draw_rows_in_sight(rows_.size(), [&](size_t i) {
+    const size_t position = rows_[i].position;
+    const std::string name =
+        position > 0 ? step_or_group(history, changes.groups(), position, true, unit) : "Original file";
+    if (draw_row(history.position(), rows_[i], name))
+      changes.enqueue("Travel",
+                      [&changes, position] { changes.travel_to(position, "Jumping to a history step"); });
   });
   if (shown_ != history.position()) {
     shown_ = history.position();
-    const auto row = std::lower_bound(rows_.begin(), rows_.end(), history.position());
+    const auto row = std::lower_bound(rows_.begin(), rows_.end(), history.position(),
+                                      [](const Row& r, size_t position) { return r.position < position; });
     scroll_to_row(static_cast<size_t>(row - rows_.begin()), height);
   }
   ImGui::EndTable();
@@ -187,8 +205,8 @@ class HistoryFeature : public Feature {
   // Returns " " and the short name of the step that would be undone or repeated; empty if there is none.
   std::string step_name(bool back) const {
     if (!can_step(back)) return "";
-    const std::string words =
-        step_words(history(), history().position() - (back ? 1 : 0), workspace_.view.frame.unit);
+    const std::string words = step_or_group(history(), workspace_.changes.groups(), history().position(),
+                                            back, workspace_.view.frame.unit);
     return " " + words.substr(0, words.find_first_of(",:"));
   }
   void request_step(bool back) {

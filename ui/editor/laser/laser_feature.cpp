@@ -227,10 +227,32 @@ class DrawnStroke : public Interaction {
   StraightLine line_;
 };
 
-const char* recut_disabled_reason(const Document& document) {
-  if (!document.history().last_cut()) return "No cut yet.";
+// Returns the group that the history ends with if it consists of strokes, otherwise null.
+const StepGroups::Group* group_of_strokes(const UndoStack& history, const StepGroups& groups) {
+  const StepGroups::Group* group = groups.at(history.position(), true);
+  if (group == nullptr) return nullptr;
+  for (size_t i = group->from; i < group->to; ++i) {
+    if (!history.cuts(i)) return nullptr;
+  }
+  return group;
+}
+
+const char* recut_disabled_reason(const Document& document, const StepGroups& groups) {
+  const UndoStack& history = document.history();
+  if (!history.last_cut()) return "No cut yet.";
   if (document.queue().in_stroke()) return "Finish or cancel the current cut first.";
-  return can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
+  const StepGroups::Group* group = group_of_strokes(history, groups);
+  const bool is_kept = group == nullptr || history.holds_images(group->from, group->to);
+  return is_kept && can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
+}
+
+// Returns true if all strokes from .. to - 1 have the same beam radius.
+bool share_radius(const UndoStack& history, size_t from, size_t to) {
+  const double radius = history.settings_of(from).laser.radius;
+  for (size_t i = from + 1; i < to; ++i) {
+    if (history.settings_of(i).laser.radius != radius) return false;
+  }
+  return true;
 }
 
 std::string smallest_angle_text(double largest_cosine) {
@@ -307,6 +329,10 @@ class LaserFeature : public Feature {
   void update(double) override {
     if (workspace_.beam.cutting()) workspace_.view.picture_old = true;
     if (workspace_.changes.is_pending()) return;
+    if (group_recut_waits_ && !ImGui::IsAnyItemActive()) {
+      group_recut_waits_ = false;
+      request_recut(false);
+    }
     workspace_.beam.follow_time(workspace_.session.document, workspace_.links.plays);
     workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
@@ -326,7 +352,8 @@ class LaserFeature : public Feature {
     report["laser"] = {{"radius", workspace_.laser.radius}, {"power", workspace_.laser.power}};
   }
   bool needs_redraw() const override {
-    return chart_.busy() || sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits();
+    return chart_.busy() || sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits() ||
+           group_recut_waits_;
   }
   void on_document_opened() override {
     workspace_.beam = LaserTool();
@@ -358,7 +385,7 @@ class LaserFeature : public Feature {
     const bool changed =
         resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
     property("Last Cut");
-    const char* disabled_reason = recut_disabled_reason(workspace_.session.document);
+    const char* disabled_reason = recut_disabled_reason();
     ImGui::BeginDisabled(disabled_reason != nullptr);
     if (ImGui::Button("Recompute", {-1, 0})) request_recut(false);
     ImGui::EndDisabled();
@@ -438,10 +465,9 @@ class LaserFeature : public Feature {
     return ring;
   }
   UserAction recut_action() {
-    return make_action(
-        "laser.recut", "Recompute Last Cut", "R", "Recuts the last stroke at the current resolution.",
-        [this] { request_recut(false); },
-        {.disabled_reason = [this] { return recut_disabled_reason(workspace_.session.document); }});
+    return make_action("laser.recut", "Recompute Last Cut", "R",
+                       "Recuts the last stroke at the current resolution.", [this] { request_recut(false); },
+                       {.disabled_reason = [this] { return recut_disabled_reason(); }});
   }
   std::vector<UserAction> laser_actions() {
     using Rule = Resolution::Rule;
@@ -500,8 +526,14 @@ class LaserFeature : public Feature {
   }
 
   void cut_again_live(bool radius) {
-    if (workspace_.settings.live_recut && recut_disabled_reason(workspace_.session.document) == nullptr)
-      request_recut(radius);
+    if (!workspace_.settings.live_recut || recut_disabled_reason() != nullptr) return;
+    if (group_of_strokes(workspace_.session.document.history(), workspace_.changes.groups()) == nullptr)
+      return request_recut(radius);
+    group_recut_waits_ = true;
+    recut_radius_ = recut_radius_ || radius;
+  }
+  const char* recut_disabled_reason() const {
+    return kerf::recut_disabled_reason(workspace_.session.document, workspace_.changes.groups());
   }
   void request_recut(bool radius) {
     recut_radius_ = recut_radius_ || radius;
@@ -510,11 +542,12 @@ class LaserFeature : public Feature {
   // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
   // radius; its other settings stay. Consecutive recuts share one history entry.
   void recut(bool radius) {
+    if (recut_disabled_reason() != nullptr) return;
     const Document& document = workspace_.session.document;
-    if (recut_disabled_reason(document) != nullptr) return;
+    const StepGroups::Group* group = group_of_strokes(document.history(), workspace_.changes.groups());
+    if (group != nullptr) return recut_group(*group, radius);
     CutSettings settings = document.history().last_settings();
-    if (radius) settings.laser.radius = workspace_.laser.radius;
-    settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
+    set_resolution(settings, radius);
     std::vector<Command> commands;
     const HistoryStep& last = document.history().last();
     const bool again = last.kind() == HistoryStep::Kind::kRecut;
@@ -524,6 +557,26 @@ class LaserFeature : public Feature {
     if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
     workspace_.changes.change("Recut", true, apply_all(std::move(commands)));
     ++workspace_.services.statistics.recuts;
+  }
+  // Undoes the strokes of a group and queues them again as a group that replaces it. Uses the current radius
+  // only if the strokes share one.
+  void recut_group(const StepGroups::Group& group, bool radius) {
+    const Document& document = workspace_.session.document;
+    const auto [from, to, name] = group;
+    radius = radius && share_radius(document.history(), from, to);
+    std::vector<Command> commands(to - from, Undo{});
+    for (size_t i = from; i < to; ++i) {
+      std::vector<Command> stroke = document.history().commands_of(i);
+      set_resolution(std::get<BeginStroke>(stroke.front()).settings, radius);
+      commands.insert(commands.end(), stroke.begin(), stroke.end());
+    }
+    workspace_.changes.change("Recut", true, apply_all(std::move(commands)));
+    workspace_.changes.groups().add(from, document, name);
+    ++workspace_.services.statistics.recuts;
+  }
+  void set_resolution(CutSettings& settings, bool radius) const {
+    if (radius) settings.laser.radius = workspace_.laser.radius;
+    settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
   }
   // Ends the current stroke at the beam, and drops the strokes queued after it.
   void stop_cutting() {
@@ -538,7 +591,8 @@ class LaserFeature : public Feature {
   ResolutionChart chart_;
   BeamSparks sparks_;
   WaitingStrokes waiting_;
-  bool recut_radius_ = false;  // the requested recut also uses the current radius
+  bool recut_radius_ = false;       // the requested recut also uses the current radius
+  bool group_recut_waits_ = false;  // until the mouse button is released
 };
 
 // Input

@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/document/cut_effects.h"
 #include "core/joints/joined_parts.h"
+#include "ui/editor/shared/world_changes.h"
 
 namespace kerf {
 
@@ -113,12 +114,16 @@ void count_world(ShownStatistics& shown, const Document& document, bool tree_sho
   }
 }
 
-void record_stroke(ShownStatistics& shown, const Document& document) {
+void record_stroke(ShownStatistics& shown, const UndoStack& history, const StepGroups& groups) {
   shown.stroke.reset();
-  const UndoStack& history = document.history();
-  if (const auto last = history.last_cut()) {
-    const HistoryStep& step = history.step(*last);
-    shown.stroke = ShownStatistics::Stroke{step.totals().statistics, step.totals().removed_area};
+  const auto last = history.last_cut();
+  if (!last) return;
+  const StepGroups::Group* group = groups.at(*last + 1, true);
+  shown.stroke.emplace();
+  for (size_t i = group != nullptr ? group->from : *last; i <= *last; ++i) {
+    if (!history.cuts(i) || history.is_cut_again(i)) continue;
+    shown.stroke->statistics.add(history.step(i).totals().statistics);
+    shown.stroke->removed_area += history.step(i).totals().removed_area;
   }
 }
 

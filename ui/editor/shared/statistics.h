@@ -17,6 +17,8 @@
 
 namespace kerf {
 
+class StepGroups;
+
 // Durations of frames. The last million are kept.
 class FrameStatistics {
  public:
@@ -89,7 +91,7 @@ struct ShownStatistics {
   size_t tree_nodes = 0;
   std::optional<TreeStatistics> tree;  // sums over all bodies; nullopt until a panel shows them
   MemoryStatistics memory;
-  // The last stroke that is not undone; nullopt without one.
+  // The last stroke that is not undone, or the sum over its group (see StepGroups); nullopt without one.
   struct Stroke {
     StepStatistics statistics;
     double removed_area = 0;  // m^2
@@ -113,6 +115,6 @@ struct Statistics {
 // Updates the counts of a document's world. Those of trees take O(n) and are computed only if shown.
 void count_world(ShownStatistics& shown, const Document& document, bool tree_shown);
 
-void record_stroke(ShownStatistics& shown, const Document& document);
+void record_stroke(ShownStatistics& shown, const UndoStack& history, const StepGroups& groups);
 
 }  // namespace kerf

@@ -115,19 +115,18 @@ void StepGroups::follow(const Document& document) {
   commands_ = journal.size();
 }
 
-void StepGroups::add(size_t from, const Document& document, std::string name, bool is_one_row) {
+void StepGroups::add(size_t from, const Document& document, std::string name) {
   follow(document);
   const size_t to = document.history().position();
-  if (to > from + 1) groups_.push_back({from, to, std::move(name), is_one_row});
+  if (to > from + 1) groups_.push_back({from, to, std::move(name)});
 }
 
 bool StepGroups::has_row(size_t position) const {
   return std::none_of(groups_.begin(), groups_.end(),
-                      [&](const Group& g) { return g.is_one_row && g.from < position && position < g.to; });
+                      [&](const Group& g) { return g.from < position && position < g.to; });
 }
 
-const StepGroups::Group* StepGroups::at(const Document& document, bool back) const {
-  const size_t position = document.history().position();
+const StepGroups::Group* StepGroups::at(size_t position, bool back) const {
   const auto group = std::find_if(groups_.begin(), groups_.end(),
                                   [&](const Group& g) { return position == (back ? g.to : g.from); });
   return group != groups_.end() ? &*group : nullptr;
@@ -229,11 +228,11 @@ void WorldChanges::apply(const Command& command) {
          [command](Document& d, const Progress* progress) { return d.apply(command, progress); });
 }
 
-void WorldChanges::travel_to(size_t position, const std::string& message) {
+void WorldChanges::travel_to(size_t position, const std::string& title, const std::string& message) {
   const Document& document = workspace_.session.document;
   const UndoStack& history = document.history();
   change(
-      "Jumping to a history step", is_small(document) && history.holds_images(position, history.position()),
+      title, is_small(document) && history.holds_images(position, history.position()),
       [position](Document& d, const Progress* progress) { return d.travel(position, progress); }, message);
 }
 
@@ -241,9 +240,10 @@ void WorldChanges::step_through_history(bool back) {
   const Document& document = workspace_.session.document;
   const std::string did = back ? "Undo: " : "Redo: ";
   groups_.follow(document);
-  const StepGroups::Group* group = groups_.at(document, back);
+  const StepGroups::Group* group = groups_.at(document.history().position(), back);
   cancel_stroke(workspace_);
-  if (group != nullptr) return travel_to(back ? group->from : group->to, did + group->name);
+  if (group != nullptr)
+    return travel_to(back ? group->from : group->to, did + group->name, did + group->name);
   const UndoStack& history = document.history();
   const bool there_is_one = back ? history.position() > 0 : history.position() < history.size();
   std::string message;

@@ -67,26 +67,25 @@ bool is_quick(const Document& document, const Command& command);
 // makes bodies or colliders of many faces; otherwise returns null. O(pieces).
 const char* background_reason(const Document& document);
 
-// Consecutive history steps of one user action, such as hiding several pieces, undone together. The document
-// does not store groups: they last as long as the editor is open.
+// Consecutive history steps of one user action, such as hiding several pieces, undone together and listed as
+// one. The document does not store groups: they last as long as the editor is open.
 class StepGroups {
  public:
   struct Group {
     size_t from = 0, to = 0;  // positions of the history
     std::string name;
-    bool is_one_row = false;  // in the list of the history
   };
 
   // Drops groups with steps that are no longer in the history. Called at least once per frame. O(new
   // commands). Precondition: it is always the same document.
   void follow(const Document& document);
   // Groups the steps from a position up to that of the document, if there is more than one.
-  void add(size_t from, const Document& document, std::string name, bool is_one_row = false);
-  // Returns true if the list of the history has a row for a position: not within a group that is one row.
+  void add(size_t from, const Document& document, std::string name);
+  // Returns true if the list of the history has a row for a position: not within a group.
   bool has_row(size_t position) const;
-  // Returns the group that an undo (`back`) or a redo from the position of the document covers, or null.
-  // Valid until the next call.
-  const Group* at(const Document& document, bool back) const;
+  // Returns the group that an undo (`back`) or a redo from a position covers, or null. Valid until the next
+  // call of follow() or add().
+  const Group* at(size_t position, bool back) const;
 
  private:
   std::vector<Group> groups_;
@@ -141,9 +140,9 @@ class WorldChanges {
   // ------------------------------------------------------------------------------------------------------
 
   void apply(const Command& command);
-  // Goes to a position of the history, then shows `message`. Strokes that need a recut are cut during the
-  // next frames.
-  void travel_to(size_t position, const std::string& message = "");
+  // Goes to a position of the history, then shows `message`; meanwhile shows `title`. Strokes that need a
+  // recut are cut during the next frames.
+  void travel_to(size_t position, const std::string& title, const std::string& message = "");
   // Undoes or redoes a step or a group of steps, and reports it. Ends a stroke in progress.
   void step_through_history(bool back);
   // Changes the document by `what`, which must accept a null progress. A change that is not `quick` becomes

@@ -260,7 +260,7 @@ void bring_up_to_date(Workspace& workspace) {
   const bool tree_missing = statistics.tree_wanted && !shown.tree;
   if (!std::exchange(statistics.world_changed, false) && !tree_missing) return;
   count_world(shown, workspace.session.document, statistics.tree_wanted);
-  record_stroke(shown, workspace.session.document);
+  record_stroke(shown, workspace.session.document.history(), workspace.changes.groups());
 }
 
 bool draw_status_bar(const Area& area, const char* button, const Message& message,

@@ -167,7 +167,7 @@ bool TimeFlow::begin() {
   position_ = document.history().position();
   // The user has done nothing in between, so one undo includes the ground.
   if (before_ground_ && position_ == *before_ground_ + 2)
-    workspace_.changes.groups().add(*before_ground_, document, "Play", true);
+    workspace_.changes.groups().add(*before_ground_, document, "Play");
   before_ground_.reset();
   return begun_ = true;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/shared/statistics.h"
 
 namespace kerf {
 namespace {
@@ -26,20 +27,20 @@ class StepGroupsTest : public testing::Test {
   }
   const StepGroups::Group* at(bool back) {
     groups.follow(document);
-    return groups.at(document, back);
+    return groups.at(document.history().position(), back);
   }
   Document document;
   std::vector<PieceId> pieces;
   StepGroups groups;
 };
 
-TEST_F(StepGroupsTest, a_single_row_group_hides_inner_positions_until_a_step_is_dropped) {
+TEST_F(StepGroupsTest, a_group_has_one_row_until_a_step_is_dropped) {
   hide_all(true);
   hide(false, 0, 2);
-  groups.add(3, document, "Play", true);
+  groups.add(3, document, "Show");
   std::vector<bool> rows;
   for (size_t position = 0; position <= 5; ++position) rows.push_back(groups.has_row(position));
-  EXPECT_EQ(rows, (std::vector<bool>{true, true, true, true, false, true}));
+  EXPECT_EQ(rows, (std::vector<bool>{true, false, false, true, false, true}));
   ASSERT_TRUE(document.travel(4).ok());
   hide(false, 2, 3);
   groups.follow(document);
@@ -96,6 +97,32 @@ TEST_F(StepGroupsTest, a_group_survives_undo_and_redo_of_its_last_step) {
   groups.follow(document);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   EXPECT_NE(at(true), nullptr);
+}
+
+TEST(StepGroups, the_last_cut_is_the_sum_over_its_group) {
+  World world;
+  world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
+  Document document(std::move(world));
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  double area = 0;
+  size_t faces = 0;
+  for (const double x : {-0.5, 0.5}) {
+    ASSERT_TRUE(document.apply(BeginStroke{settings, {{x, 0, 5}, {0, 0, -1}}}).ok());
+    ASSERT_TRUE(document.apply(EndStroke{}).ok());
+    while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+    area += document.history().last().totals().removed_area;
+    faces += document.history().last().totals().statistics.faces_made;
+  }
+  StepGroups groups;
+  ShownStatistics shown;
+  record_stroke(shown, document.history(), groups);
+  ASSERT_TRUE(shown.stroke);
+  EXPECT_LT(shown.stroke->removed_area, 0.9 * area);
+  groups.add(0, document, "Cut drawing");
+  record_stroke(shown, document.history(), groups);
+  EXPECT_EQ(shown.stroke->removed_area, area);
+  EXPECT_EQ(shown.stroke->statistics.faces_made, faces);
 }
 
 }  // namespace

@@ -114,10 +114,23 @@ void count_world(ShownStatistics& shown, const Document& document, bool tree_sho
   }
 }
 
+namespace {
+
+std::optional<size_t> last_knife_cut(const UndoStack& history) {
+  for (size_t i = history.position(); i-- > 0;) {
+    const Command& command = history.step(i).commands().front();
+    if (std::holds_alternative<CutPlane>(command) || std::holds_alternative<CutPath>(command)) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 void record_stroke(ShownStatistics& shown, const UndoStack& history, const StepGroups& groups) {
   shown.stroke.reset();
   const auto last = history.last_cut();
-  if (!last) return;
+  shown.cut_by_knife = last_knife_cut(history) > last;
+  if (!last || shown.cut_by_knife) return;
   const StepGroups::Group* group = groups.at(*last + 1, true);
   shown.stroke.emplace();
   for (size_t i = group != nullptr ? group->from : *last; i <= *last; ++i) {

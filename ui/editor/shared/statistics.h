@@ -91,12 +91,14 @@ struct ShownStatistics {
   size_t tree_nodes = 0;
   std::optional<TreeStatistics> tree;  // sums over all bodies; nullopt until a panel shows them
   MemoryStatistics memory;
-  // The last stroke that is not undone, or the sum over its group (see StepGroups); nullopt without one.
+  // The last stroke that is not undone, or the sum over its group (see StepGroups); nullopt without one or
+  // if a knife has cut since.
   struct Stroke {
     StepStatistics statistics;
     double removed_area = 0;  // m^2
   };
   std::optional<Stroke> stroke;
+  bool cut_by_knife = false;  // the last cut that is not undone
 };
 
 struct Statistics {

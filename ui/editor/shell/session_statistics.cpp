@@ -129,6 +129,7 @@ std::vector<Slot> slots_of(const ShownStatistics& shown) {
   if (!shown.time.empty()) slots.push_back({"time", shown.time, 6.0f, colours::text()});
   if (shown.stroke)
     slots.push_back({"stroke", "last cut removed " + removed_text(shown), 12.4f, colours::secondary()});
+  if (shown.cut_by_knife) slots.push_back({"stroke", "last cut by knife", 12.4f, colours::secondary()});
   return slots;
 }
 

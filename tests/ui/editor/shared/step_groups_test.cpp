@@ -99,18 +99,26 @@ TEST_F(StepGroupsTest, a_group_survives_undo_and_redo_of_its_last_step) {
   EXPECT_NE(at(true), nullptr);
 }
 
-TEST(StepGroups, the_last_cut_is_the_sum_over_its_group) {
+Document sphere_document() {
   World world;
   world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
-  Document document(std::move(world));
+  return Document(std::move(world));
+}
+
+void drill(Document& document, double x) {
   CutSettings settings;
   settings.laser.radius = 0.1;
+  ASSERT_TRUE(document.apply(BeginStroke{settings, {{x, 0, 5}, {0, 0, -1}}}).ok());
+  ASSERT_TRUE(document.apply(EndStroke{}).ok());
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+}
+
+TEST(StepGroups, the_last_cut_is_the_sum_over_its_group) {
+  Document document = sphere_document();
   double area = 0;
   size_t faces = 0;
   for (const double x : {-0.5, 0.5}) {
-    ASSERT_TRUE(document.apply(BeginStroke{settings, {{x, 0, 5}, {0, 0, -1}}}).ok());
-    ASSERT_TRUE(document.apply(EndStroke{}).ok());
-    while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+    drill(document, x);
     area += document.history().last().totals().removed_area;
     faces += document.history().last().totals().statistics.faces_made;
   }
@@ -123,6 +131,20 @@ TEST(StepGroups, the_last_cut_is_the_sum_over_its_group) {
   record_stroke(shown, document.history(), groups);
   EXPECT_EQ(shown.stroke->removed_area, area);
   EXPECT_EQ(shown.stroke->statistics.faces_made, faces);
+}
+
+TEST(StepGroups, no_stroke_is_the_last_cut_after_a_knife_until_that_is_undone) {
+  Document document = sphere_document();
+  drill(document, 0.5);
+  ShownStatistics shown;
+  ASSERT_TRUE(document.apply(CutPlane{{{1, 0, 0}, 0}}).ok());
+  record_stroke(shown, document.history(), StepGroups());
+  EXPECT_FALSE(shown.stroke);
+  EXPECT_TRUE(shown.cut_by_knife);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  record_stroke(shown, document.history(), StepGroups());
+  EXPECT_TRUE(shown.stroke);
+  EXPECT_FALSE(shown.cut_by_knife);
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ void CutJob::record_step(const StepResult& step, const World& world, double seco
   solid += step.delta.solid;
   for (const LeftOpen& open : step.delta.left_open) {
     left_open = true;
-    const std::string note = left_open_text(open, world);
+    const std::string note = left_open_text(open, world, FileUnit::kMetre);
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   }
   if (step.delta.removed_faces > 0) step_s.push_back(seconds);

@@ -50,7 +50,7 @@ struct WallStroke {
 };
 inline constexpr uint32_t kNoPart = 0xffffffffu;
 
-// Returns an error that states why a part stays open, and the place.
+// Returns an error that states why a part stays open, and the place without its unit.
 Error left_open(const char* why, const Vec3& p);
 
 // Walls of the closed parts, and a sentence with reason and place for each part that stays open.

@@ -284,7 +284,7 @@ constexpr double kTurnOfEnd = 0.0979;
 Error left_open(const char* why, const Vec3& p) {
   std::ostringstream text;
   text.precision(3);
-  text << why << " near (" << p.x << ", " << p.y << ", " << p.z << ") m";
+  text << why << " near (" << p.x << ", " << p.y << ", " << p.z << ")";
   return failed(text.str());
 }
 

@@ -157,8 +157,9 @@ void scene_sheet_fields(Fields& f, Sheet& sheet) {
   if (f.present("substance", sheet.substance != Substance())) f.object("substance", sheet.substance);
 }
 
-std::string left_open_text(const LeftOpen& open, const World& world) {
-  return world.contains(open.body) ? world.body(open.body).own_name() + ": " + open.why : open.why;
+std::string left_open_text(const LeftOpen& open, const World& world, FileUnit unit) {
+  const std::string name = world.contains(open.body) ? world.body(open.body).own_name() + ": " : "";
+  return name + open.why + " " + std::string(unit_symbol(unit));
 }
 
 std::string limits_text(const NumberRange& range) {

@@ -17,6 +17,7 @@
 #include "core/base/ids.h"
 #include "core/base/number_format.h"
 #include "core/base/result.h"
+#include "core/mesh/files/mesh_format.h"
 #include "core/world/rigid_body.h"
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
@@ -43,9 +44,9 @@ void describe(Fields& f, Sheet& sheet);
 // The sheet in a scene, with the constants in "substance".
 void scene_sheet_fields(Fields& f, Sheet& sheet);
 
-// Returns the message about a solid body that a stroke left open, with the name of the body: "car: ...".
-// `world`: after the step.
-std::string left_open_text(const LeftOpen& open, const World& world);
+// Returns the message about a solid body that a stroke left open, with the name of the body and the unit of
+// its place: "car: ...". `world`: after the step.
+std::string left_open_text(const LeftOpen& open, const World& world, FileUnit unit);
 
 class JsonValue;
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/random.h"
+#include "core/document/text/fields.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -42,7 +43,7 @@ TEST(SmallestAngle, is_the_angle_of_the_sharpest_face) {
 StepResult step_of_solid(double volume, BodyId left_open) {
   StepResult step;
   step.delta.solid = {10, 0.5, volume};
-  step.delta.left_open = {{left_open, "the walls meet nowhere."}};
+  step.delta.left_open = {{left_open, "the rim crosses itself near (1, 2, 3)"}};
   return step;
 }
 
@@ -70,7 +71,10 @@ TEST(CutReport, sums_walls_and_lists_each_reason_once) {
   EXPECT_FALSE(report["removed"].contains("volume")) << "which is not known of what stays open";
   EXPECT_EQ(report["walls"]["faces"], 20);
   EXPECT_EQ(report["walls"]["area"], 1.0);
-  EXPECT_EQ(report["notes"].dump(), R"(["box: the walls meet nowhere."])");
+  EXPECT_EQ(report["notes"].dump(), R"(["box: the rim crosses itself near (1, 2, 3) m"])");
+  const LeftOpen open = step_of_solid(0, world.ids().front()).delta.left_open[0];
+  EXPECT_EQ(left_open_text(open, world, FileUnit::kMillimetre),
+            "box: the rim crosses itself near (1, 2, 3) mm");
 }
 
 TEST(CutReport, sums_loaded_faces_and_changes_of_steps) {

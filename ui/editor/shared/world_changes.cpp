@@ -361,10 +361,11 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
 
 // Reports solid bodies that a stroke left open: shows the first, and logs all.
 void WorldChanges::report_left_open(const Delta& delta) {
-  for (size_t i = delta.left_open.size(); i-- > 1;)
-    workspace_.message.note(left_open_text(delta.left_open[i], workspace_.world()), true);
-  if (!delta.left_open.empty())
-    workspace_.message.error(left_open_text(delta.left_open.front(), workspace_.world()));
+  const auto text = [this](const LeftOpen& open) {
+    return left_open_text(open, workspace_.world(), workspace_.view.frame.unit);
+  };
+  for (size_t i = delta.left_open.size(); i-- > 1;) workspace_.message.note(text(delta.left_open[i]), true);
+  if (!delta.left_open.empty()) workspace_.message.error(text(delta.left_open.front()));
 }
 
 // Pieces that came off become bodies when time passes.

@@ -14,6 +14,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/platform.h"
+#include "core/document/command_log.h"
 
 namespace kerf {
 
@@ -63,10 +64,16 @@ int give_name(const std::filesystem::path& nameless, const std::filesystem::path
 
 constexpr const char* kEnding = ".kerf";
 
-size_t count_strokes(const Journal& journal) {
-  return static_cast<size_t>(
-      std::count_if(journal.commands.begin(), journal.commands.end(),
-                    [](const Command& c) { return std::holds_alternative<BeginStroke>(c); }));
+bool is_cut(const Command& command) {
+  return std::holds_alternative<BeginStroke>(command) || std::holds_alternative<Recut>(command) ||
+         std::holds_alternative<CutPlane>(command) || std::holds_alternative<CutPath>(command);
+}
+
+size_t count_cuts(const Journal& journal) {
+  const std::vector<bool> lasting = lasting_commands(journal.commands);
+  size_t cuts = 0;
+  for (size_t i = 0; i < journal.commands.size(); ++i) cuts += lasting[i] && is_cut(journal.commands[i]);
+  return cuts;
 }
 
 }  // namespace
@@ -224,9 +231,9 @@ std::vector<RecoverableDocument> find_recoverable_documents(const fs::path& fold
       faults.push_back(journal.error().message);
       continue;
     }
-    const size_t strokes = count_strokes(*journal);
+    const size_t cuts = count_cuts(*journal);
     std::error_code unknown;
-    left.push_back({std::move(*file), std::move(*journal), strokes, fs::last_write_time(path, unknown)});
+    left.push_back({std::move(*file), std::move(*journal), cuts, fs::last_write_time(path, unknown)});
   }
   std::sort(left.begin(), left.end(), [](const RecoverableDocument& a, const RecoverableDocument& b) {
     return a.last_change > b.last_change;

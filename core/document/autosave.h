@@ -86,7 +86,7 @@ class Autosave {
 struct RecoverableDocument {
   LockedFile file;
   Journal journal;
-  size_t strokes = 0;
+  size_t cuts = 0;  // strokes and cuts by a knife that are not undone
   std::filesystem::file_time_type last_change;
 };
 

@@ -363,7 +363,7 @@ void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocum
   Question& q = decisions.question = Question();
   q.title = "Recover unsaved work?";
   q.text = "Kerf quit unexpectedly without saving " + name_of(left) + ", with " +
-           count_text(left.strokes, "stroke") + ", last changed on " + time_text(left.last_change) + ".";
+           count_text(left.cuts, "cut") + ", last changed on " + time_text(left.last_change) + ".";
   if (recoverable.size() > 1)
     q.text += " " + count_text(recoverable.size() - 1, "more document") + " can be recovered.";
   q.choices = {{"Recover", "Open it in its last state (Enter, R).", 'R'},

@@ -136,8 +136,9 @@ TEST_F(SaveWork, unsaved_changes_are_confirmed_before_closing) {
   }
 }
 
-TEST_F(SaveWork, recovered_work_is_named_after_the_opened_file) {
+TEST_F(SaveWork, recovered_work_is_named_after_the_opened_file_and_counts_all_cuts) {
   cut();
+  ASSERT_TRUE(session_.document.apply(CutPlane{{{1, 0, 0}, 0.1}}).ok());
   ASSERT_TRUE(record_hashes(session_.scene).ok());
   {
     Autosave dead(folder_ / "state");
@@ -146,7 +147,7 @@ TEST_F(SaveWork, recovered_work_is_named_after_the_opened_file) {
   }
   std::vector<std::string> faults;
   ask_about_recovery(decisions_, find_recoverable_documents(folder_ / "state", faults));
-  EXPECT_NE(decisions_.question.text.find("saving workshop.json,"), std::string::npos)
+  EXPECT_NE(decisions_.question.text.find("saving workshop.json, with 2 cuts,"), std::string::npos)
       << decisions_.question.text;
 }
 
@@ -162,7 +163,7 @@ TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   left_work_ = find_recoverable_documents(folder_ / "state", faults);
   ASSERT_EQ(left_work_.size(), 1u);
   ask_about_recovery(decisions_, left_work_);
-  EXPECT_NE(decisions_.question.text.find("plate.obj, with 1 stroke,"), std::string::npos)
+  EXPECT_NE(decisions_.question.text.find("plate.obj, with 1 cut,"), std::string::npos)
       << decisions_.question.text;
   question_key(decisions_.question, GLFW_KEY_D);
   EXPECT_FALSE(decisions_.question.answer.has_value());

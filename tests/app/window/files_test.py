@@ -66,6 +66,29 @@ class Files(WindowTest):
         self.assertIn("broken.obj", report["message"])
         self.assertEqual(self.settings()["recent"], [os.path.realpath(SPHERE)])
 
+    def test_a_missing_mesh_is_named_and_found_elsewhere(self):
+        editor = self.open(SPHERE)
+        scene, mesh = os.path.join(self.folder, "part.json"), os.path.join(self.folder, "moved.obj")
+        with open(scene, "w") as file:
+            file.write('{"bodies": [{"mesh": "gone.obj"}]}')
+        with open(mesh, "w") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.open_by_browser(editor, scene)
+        editor.part("question")
+        editor.do("Escape")
+        report = editor.ask("report")
+        self.assertEqual(report["files"], [os.path.basename(SPHERE)])
+        self.assertIn("gone.obj", report["message"])
+        self.open_by_browser(editor, scene)
+        editor.part("question")
+        editor.press("Return")
+        editor.part("browser")
+        editor.type(mesh)
+        editor.press("Return")
+        editor.wait_for_title("part.json* - Kerf")
+        report = editor.quit()
+        self.assertEqual((report["files"], report["faces"]), (["part.json"], 1))
+
     def test_a_suggested_name_is_replaced_by_typing_every_time(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "shift", "s")

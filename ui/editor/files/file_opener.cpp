@@ -162,7 +162,7 @@ void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
   } else if (is_journal(order.files.front())) {
     session.file = order.files.front();
   }
-  const bool saved = !order.left && !loaded.damaged;
+  const bool saved = !order.left && !loaded.damaged && order.moved.empty();
   session.saved_commands = saved ? session.document.journal().size() : DocumentSession::kNothing;
   session.saved_lights = lights;
   session.saved_head = loaded.scene.others;
@@ -371,12 +371,29 @@ void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocum
                {"Later", "Ask again at the next start (Esc, L).", 'L'}};
 }
 
+void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const fs::path& mesh) {
+  decisions.about = Decisions::About::kMissingMesh;
+  Question& q = decisions.question = Question();
+  q.title = "Mesh file not found";
+  q.text =
+      name + " needs " + mesh.filename().string() + ", which is not in " + mesh.parent_path().string() + ".";
+  q.choices = {{"Find...", "Select the file where it is now (Enter, F).", 'F'},
+               {"Cancel", "Do not open " + name + " (Esc, C).", 'C'}};
+}
+
 Decision take_decision(Decisions& decisions, std::vector<RecoverableDocument>& recoverable) {
   if (!decisions.question.answer) return Decision::kNone;
   KERF_ASSERT(*decisions.question.answer < decisions.question.choices.size());
   const size_t answer = *std::exchange(decisions.question, {}).answer;
-  return decisions.about == Decisions::About::kUnsaved ? decide_on_unsaved(decisions, answer)
-                                                       : decide_on_recovery(decisions, recoverable, answer);
+  switch (decisions.about) {
+    case Decisions::About::kUnsaved:
+      return decide_on_unsaved(decisions, answer);
+    case Decisions::About::kRecovery:
+      return decide_on_recovery(decisions, recoverable, answer);
+    case Decisions::About::kMissingMesh:
+      break;
+  }
+  return answer == 0 ? Decision::kFindMesh : Decision::kNone;
 }
 
 void show_partial_replay(Workspace& workspace, PartialReplay replay) {
@@ -517,11 +534,13 @@ void FileOpener::take_loaded() {
     if (stage_is_empty_) {
       if (auto replay = loader.take_partial_replay()) show_partial_replay(workspace_, std::move(*replay));
     }
-    const bool left = loader.order().left.has_value();
-    KERF_ASSERT(!left || !workspace_.opening.recoverable.empty());
-    if (auto loaded = loader.take()) take(std::move(*loaded), left);
+    KERF_ASSERT(!loader.order().left || !workspace_.opening.recoverable.empty());
+    if (loader.is_over(0)) {
+      LoadRequest order = loader.order();
+      take(*loader.take(), std::move(order));
+    }
   }
-  if (!stage_is_empty_ || loader.busy()) return;
+  if (!stage_is_empty_ || loader.busy() || missing_) return;
   stage_is_empty_ = false;
   workspace_.opening.partial_world.reset();
   const std::string fault = workspace_.message.text;  // why the file could not be opened
@@ -529,11 +548,29 @@ void FileOpener::take_loaded() {
   if (!fault.empty()) workspace_.message.error(fault);
 }
 
-void FileOpener::take(Result<LoadedFiles> loaded, bool left) {
-  const bool opened = loaded.ok();
+void FileOpener::open_with(const std::filesystem::path& mesh) {
+  KERF_ASSERT(missing_);
+  auto [order, missing] = *std::exchange(missing_, std::nullopt);
+  order.moved[missing] = mesh;
+  workspace_.message.clear();
+  workspace_.opening.loader.start(std::move(order), stage_is_empty_);
+}
+
+void FileOpener::give_up() {
+  KERF_ASSERT(missing_);
+  const auto [order, mesh] = *std::exchange(missing_, std::nullopt);
+  workspace_.message.error(order.name() + " was not opened: its mesh file " + mesh.string() + " is missing");
+  if (order.left) workspace_.opening.recoverable.clear();  // the files are kept for the next start
+}
+
+void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
+  const bool opened = loaded.ok(), left = order.left.has_value();
   if (opened) {
     cancel_stroke(workspace_);
     show(std::move(*loaded));
+  } else if (const auto mesh = missing_mesh(order)) {
+    missing_ = {std::move(order), *mesh};
+    return;
   } else {
     workspace_.message.error((left ? "Recovery failed; the recovery file was kept: " : "") +
                              loaded.error().message);

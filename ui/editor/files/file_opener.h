@@ -82,7 +82,7 @@ std::string autosave_words(double age);
 
 struct Decisions {
   Question question;
-  enum class About { kUnsaved, kRecovery };
+  enum class About { kUnsaved, kRecovery, kMissingMesh };
   About about = About::kUnsaved;  // valid while the question is open
   std::function<void()> leaving;  // action that waits for the decision about unsaved changes
 };
@@ -95,11 +95,15 @@ bool may_leave(Decisions& decisions, const DocumentSession& session, const std::
 // Asks about the first recoverable document, if there is one.
 void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable);
 
+// Asks what to do about a mesh file of `name` that is missing.
+void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const std::filesystem::path& mesh);
+
 enum class Decision {
   kNone,
   kLeave,      // run `leaving`
   kSaveFirst,  // save the document, then run `leaving`
   kRecover,    // open the first recoverable document
+  kFindMesh,   // let the user select the missing mesh file
 };
 
 // Processes the answer to the question, once, as far as that is possible without the frame loop: discards
@@ -130,6 +134,17 @@ class FileOpener {
   // Called between two frames: shows loaded files. If the stage is empty and no file is being read, shows the
   // default scene.
   void take_loaded();
+  // A mesh file that a scene or journal names and that is missing, so that it was not opened. Until the
+  // following are called, an empty stage stays empty.
+  struct MissingMesh {
+    LoadRequest order;
+    std::filesystem::path mesh;
+  };
+  const std::optional<MissingMesh>& missing() const { return missing_; }
+  // Opens the files again with another mesh file, or gives up. Precondition: missing().
+  void open_with(const std::filesystem::path& mesh);
+  void give_up();
+
   // Called after take_loaded(): prepares shadow casters of a large scene in the background, after a frame.
   void make_shadows();
   // Returns true if the next frame is needed without input, because shadows are missing.
@@ -139,12 +154,13 @@ class FileOpener {
   LoadRequest order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
   void show_empty_stage();
-  void take(Result<LoadedFiles> loaded, bool left);
+  void take(Result<LoadedFiles> loaded, LoadRequest order);
   void show(LoadedFiles loaded);
 
   Workspace& workspace_;
   Recovery& recovery_;
   std::filesystem::path default_scene_;
+  std::optional<MissingMesh> missing_;
   bool stage_is_empty_ = false;
   bool shadows_due_ = false;  // the shadow casters of the opened scene are not prepared yet
 };

@@ -134,6 +134,7 @@ class FilesFeature : public Feature {
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
     opener_.take_loaded();
+    ask_about_mesh();
     opener_.make_shadows();
     restore_view();
     check_files();
@@ -358,7 +359,34 @@ class FilesFeature : public Feature {
       case Decision::kRecover:
         opener_.open_recovered();
         break;
+      case Decision::kFindMesh:
+        select_missing_mesh();
+        break;
     }
+  }
+  // Gives up once the user has cancelled the question or the file dialog.
+  void ask_about_mesh() {
+    if (!opener_.missing()) has_asked_about_mesh_ = false;
+    if (!opener_.missing() || decisions_.question.open() || workspace_.services.browser.open) return;
+    if (has_asked_about_mesh_) return opener_.give_up();
+    has_asked_about_mesh_ = true;
+    ask_about_missing_mesh(decisions_, opener_.missing()->order.name(), opener_.missing()->mesh);
+  }
+  void select_missing_mesh() {
+    if (!opener_.missing()) return;
+    browse(workspace_.services.browser,
+           {.title = "Find Mesh File",
+            .verb = "Open",
+            .hint = "Filter, or paste a full path",
+            .only = FileKind::kMeshes,
+            .take =
+                [this](const fs::path& file) {
+                  if (opener_.missing()) opener_.open_with(file);
+                  return "";
+                },
+            .previewed_as = &workspace_.settings,
+            .thumbnails = &workspace_.services.thumbnails},
+           workspace_.settings.folder, "");
   }
   void save() {
     if (workspace_.session.file.empty()) return select_file_to_save();
@@ -414,7 +442,8 @@ class FilesFeature : public Feature {
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
-  bool is_autosaved_ = false;  // the last attempt succeeded
+  bool has_asked_about_mesh_ = false;  // about FileOpener::missing()
+  bool is_autosaved_ = false;          // the last attempt succeeded
   WatchedFiles watched_;
   std::vector<fs::path> documents_files_;  // which are watched, with their side files
   std::vector<fs::path> changed_;          // by other programs, offered for reloading

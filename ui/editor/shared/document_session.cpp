@@ -87,13 +87,34 @@ Result<OpenedFile> read_together(std::vector<std::filesystem::path>& files, std:
   return all;
 }
 
+// Reads a single file or recoverable work; meshes that moved get their new paths.
+Result<Journal> read_without_meshes(const LoadRequest& order) {
+  Journal journal;
+  if (order.left) {
+    journal = *order.left;
+  } else if (const std::filesystem::path& file = order.files.front(); is_journal(file)) {
+    Result<Journal> read = read_journal(file);
+    if (!read) return read.error();
+    journal = std::move(*read);
+  } else {
+    Result<SceneDescription> read = read_description(file);
+    if (!read) return read.error();
+    journal.scene = std::move(*read);
+  }
+  for (SceneBody& body : journal.scene.bodies) {
+    if (const auto moved = order.moved.find(body.mesh); moved != order.moved.end()) body.mesh = moved->second;
+  }
+  return journal;
+}
+
 Result<OpenedFile> read_order(LoadRequest& order, std::vector<std::string>& refused,
                               const Progress* progress) {
-  if (!order.left && order.files.size() == 1) return open_file(order.files.front(), progress);
-  if (!order.left) return read_together(order.files, refused, progress);
-  Result<Scene> scene = load_scene(order.left->scene, progress);
+  if (!order.left && order.files.size() > 1) return read_together(order.files, refused, progress);
+  Result<Journal> journal = read_without_meshes(order);
+  if (!journal) return journal.error();
+  Result<Scene> scene = load_scene(journal->scene, progress);
   if (!scene) return scene.error();
-  return OpenedFile{std::move(*scene), *order.left};
+  return OpenedFile{std::move(*scene), std::move(*journal)};
 }
 
 std::string notes_of(const World& world) {
@@ -217,6 +238,18 @@ std::string LoadRequest::name() const {
   std::string name = files.front().filename().string();
   if (files.size() > 1) name += " and " + std::to_string(files.size() - 1) + " more";
   return name;
+}
+
+std::optional<std::filesystem::path> missing_mesh(const LoadRequest& order) {
+  if (!order.left && (order.files.size() > 1 || mesh_format(order.files.front().extension().string())))
+    return std::nullopt;
+  const Result<Journal> journal = read_without_meshes(order);
+  if (!journal) return std::nullopt;
+  for (const SceneBody& body : journal->scene.bodies) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(body.mesh, unknown) && !unknown) return body.mesh;
+  }
+  return std::nullopt;
 }
 
 Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, LoadProgress* news) {

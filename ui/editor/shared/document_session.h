@@ -71,6 +71,8 @@ struct LoadRequest {
   // Recoverable work of a crashed editor, instead of files.
   std::optional<Journal> left;
   size_t history_bytes = 0;  // see Document::set_window
+  // Mesh files that are read instead of others, which a journal or a scene names.
+  std::map<std::filesystem::path, std::filesystem::path> moved{};
 
   // Returns the displayed name: "bunny.ply and 1 more".
   std::string name() const;
@@ -92,6 +94,10 @@ struct LoadedFiles {
   std::string fault;                    // of the strokes or the journal, a sentence or empty
   std::optional<Error> cannot_be_kept;  // reason why the work cannot be saved
 };
+
+// Returns the first mesh file that a single scene or journal, or recoverable work, names and that does not
+// exist; nullopt if there is none. Reads the scene or journal.
+std::optional<std::filesystem::path> missing_mesh(const LoadRequest& order);
 
 // Reads the files and applies their strokes or commands. Keeps the view of a single file. Fails if no file
 // can be read. `progress` may be null. `news`, unless null, receives the current task and copies of the

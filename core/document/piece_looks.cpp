@@ -15,8 +15,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
-
 Vec3 unit_normal_of(const Triangle& t) { return unit_normal(t[0], t[1], t[2]); }
 
 // The weight of a face in the normal at its corner i, exact on a sphere (N. Max: Weights for computing vertex

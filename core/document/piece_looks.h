@@ -11,6 +11,9 @@
 
 namespace kerf {
 
+// The surface is sharp at an edge where it turns by more than 35 degrees: the cosine of that angle.
+inline constexpr double kCreaseCosine = 0.8191520442889918;
+
 // Which normals looks_of() returns.
 enum class LookNormals : uint8_t {
   kLoaded,  // normals from the file, for faces that have them; in the axes of the body

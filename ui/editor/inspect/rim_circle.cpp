@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/base/assert.h"
+#include "core/document/piece_looks.h"
 #include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
@@ -14,6 +16,7 @@ namespace {
 
 constexpr int kSteps = 20;          // of Gauss-Newton; it converges quadratically near the solution
 constexpr double kReachOfRim = 14;  // screen coordinates
+constexpr double kSameEdge = 0.5;   // screen coordinates; rims that are equally near share an edge
 constexpr double kBeforeRim =
     1e-3;  // share of the distance from the eye by which a face may be in front of it
 
@@ -114,10 +117,86 @@ void append_wall_sides(const Body& body, std::vector<Mesh::Side>& sides) {
   }
 }
 
+// Finds the boundaries of the smooth parts of a mesh, which end where the surface turns by more than the
+// crease angle, or at edges with one face or more than two.
+class SmoothParts {
+ public:
+  explicit SmoothParts(const Mesh& mesh) : mesh_(mesh), normals_(mesh.face_slots(), Vec3(0)) {
+    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+      if (!mesh.is_live(FaceId(f))) continue;
+      const Triangle t = mesh.triangle(FaceId(f));
+      const Vec3 area = glm::cross(t[1] - t[0], t[2] - t[0]);
+      if (glm::length(area) > 0) normals_[f] = glm::normalize(area);
+    }
+  }
+
+  // Appends the boundaries, except those that consist of edges with one face. O(faces).
+  void append_boundaries(std::vector<std::vector<Vec3>>& loops) {
+    std::vector<std::array<bool, 3>> visited(mesh_.face_slots());
+    for (uint32_t f = 0; f < mesh_.face_slots(); ++f) {
+      if (!mesh_.is_live(FaceId(f))) continue;
+      const std::array<VertexId, 3> corners = mesh_.corners(FaceId(f));
+      for (size_t i = 0; i < 3; ++i) {
+        const Mesh::Side first{FaceId(f), corners[i], corners[(i + 1) % 3]};
+        if (visited[f][i] || smooth_neighbour(first)) continue;
+        std::vector<Vec3> loop;
+        bool is_open = true;
+        for (Mesh::Side side = first; !visited[side.face.index][corner_of(side)]; side = next(side)) {
+          visited[side.face.index][corner_of(side)] = true;
+          loop.push_back(mesh_.position(side.from));
+          is_open = is_open && sides_at(side).empty();
+        }
+        if (!is_open && loop.size() >= 3) loops.push_back(std::move(loop));
+      }
+    }
+  }
+
+ private:
+  size_t corner_of(const Mesh::Side& side) const {
+    const std::array<VertexId, 3> corners = mesh_.corners(side.face);
+    return static_cast<size_t>(std::find(corners.begin(), corners.end(), side.from) - corners.begin());
+  }
+  const std::vector<Mesh::Side>& sides_at(const Mesh::Side& side) {
+    others_.clear();
+    mesh_.append_edge_sides(side.face, side.from, side.to, others_);
+    return others_;
+  }
+  // Returns the opposite side of the edge if it belongs to the same part. Symmetric.
+  std::optional<Mesh::Side> smooth_neighbour(const Mesh::Side& side) {
+    const std::vector<Mesh::Side>& others = sides_at(side);
+    if (others.size() != 1) return std::nullopt;
+    const Mesh::Side other = others.front();
+    const double cosine = glm::dot(normals_[side.face.index], normals_[other.face.index]);
+    if (cosine < kCreaseCosine || mesh_.position(other.to) != mesh_.position(side.from)) return std::nullopt;
+    return other;
+  }
+  Mesh::Side following_in_face(const Mesh::Side& side) const {
+    const std::array<VertexId, 3> corners = mesh_.corners(side.face);
+    const size_t i = corner_of(side);
+    return {side.face, corners[(i + 1) % 3], corners[(i + 2) % 3]};
+  }
+  // Returns the next side of the boundary: turns about the end of the side within its part.
+  Mesh::Side next(const Mesh::Side& side) {
+    Mesh::Side at = following_in_face(side);
+    while (const auto other = smooth_neighbour(at)) at = following_in_face(*other);
+    return at;
+  }
+
+  const Mesh& mesh_;
+  std::vector<Vec3> normals_;  // by slot of a face; 0 without an area
+  std::vector<Mesh::Side> others_;
+};
+
 // Returns the point of a segment that is nearest to `at`, as a fraction of it.
 double nearest_share(Vec2 from, Vec2 to, Vec2 at) {
   const double length2 = glm::dot(to - from, to - from);
   return length2 > 0 ? std::clamp(glm::dot(at - from, to - from) / length2, 0.0, 1.0) : 0;
+}
+
+// Returns the deviation of a rim from its circle over the radius; infinite if no circle fits.
+double relative_deviation(const std::vector<Vec3>& rim) {
+  const auto circle = fit_circle(rim);
+  return circle ? circle->deviation / circle->radius : std::numeric_limits<double>::infinity();
 }
 
 bool is_visible(const World& world, const ViewState& view, const Vec3& point) {
@@ -177,10 +256,12 @@ std::vector<std::vector<Vec3>> rims_of(const Body& body) {
   std::vector<Mesh::Side> sides;
   body.mesh.append_open_sides(sides);
   std::vector<std::vector<Vec3>> rims = loops_of(body.mesh, sides);
-  if (!body.solid) return rims;
-  sides.clear();
-  append_wall_sides(body, sides);
-  for (std::vector<Vec3>& rim : loops_of(body.mesh, sides)) rims.push_back(std::move(rim));
+  if (body.solid) {
+    sides.clear();
+    append_wall_sides(body, sides);
+    for (std::vector<Vec3>& rim : loops_of(body.mesh, sides)) rims.push_back(std::move(rim));
+  }
+  SmoothParts(body.mesh).append_boundaries(rims);
   return rims;
 }
 
@@ -211,10 +292,15 @@ std::optional<std::vector<Vec3>> rim_at(const World& world, const ViewState& vie
   }
   std::stable_sort(near.begin(), near.end(),
                    [](const Near& a, const Near& b) { return a.distance < b.distance; });
-  for (const Near& candidate : near) {
-    if (is_visible(world, view, candidate.point)) return rims[candidate.rim];
+  const auto nearest =
+      std::find_if(near.begin(), near.end(), [&](const Near& n) { return is_visible(world, view, n.point); });
+  if (nearest == near.end()) return std::nullopt;
+  size_t roundest = nearest->rim;
+  for (auto other = nearest; other != near.end() && other->distance <= nearest->distance + kSameEdge;
+       ++other) {
+    if (relative_deviation(rims[other->rim]) < relative_deviation(rims[roundest])) roundest = other->rim;
   }
-  return std::nullopt;
+  return rims[roundest];
 }
 
 }  // namespace kerf

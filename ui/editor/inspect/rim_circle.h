@@ -23,12 +23,13 @@ struct FittedCircle {
 // than three points, or if they enclose no area or lie on a line. O(points).
 std::optional<FittedCircle> fit_circle(std::span<const Vec3> polygon);
 
-// Returns the rims of a body as polygons in its own frame: loops of edges with one face, and of edges between
-// a wall and another face. O(edges).
+// Returns the rims of a body as polygons in its own frame: loops of edges with one face, of edges between a
+// wall and another face, and the boundaries of smooth parts of the surface, which end at sharp edges (see
+// kCreaseCosine). A loop of sharp edges is listed for both of its sides. O(edges).
 std::vector<std::vector<Vec3>> rims_of(const Body& body);
 
-// Returns the rim whose visible edge is nearest to a place of the window, in world space; nullopt if none is
-// within reach. O(edges of all visible bodies).
+// Returns the rim whose visible edge is nearest to a place of the window, in world space, and of several
+// along that edge the roundest; nullopt if none is within reach. O(edges of all visible bodies).
 std::optional<std::vector<Vec3>> rim_at(const World& world, const ViewState& view, Vec2 place);
 
 }  // namespace kerf

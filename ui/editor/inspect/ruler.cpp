@@ -232,7 +232,8 @@ class RulerFeature : public Feature {
   void measure_rim() {
     const Vec2 pointer = workspace_.input.pointer;
     const auto rim = rim_at(workspace_.world(), workspace_.view, pointer);
-    if (!rim) return workspace_.message.error("No rim under the pointer: click an open edge of a surface.");
+    if (!rim)
+      return workspace_.message.error("No rim under the pointer: click an open or sharp edge of a surface.");
     const auto circle = fit_circle(*rim);
     if (!circle) return workspace_.message.error("The rim encloses no area, so no circle fits it.");
     const PrimaryViewport viewport(workspace_.view);

@@ -7,13 +7,13 @@
 
 #include "core/base/containers.h"
 #include "core/base/random.h"
+#include "core/document/piece_looks.h"
 #include "core/mesh/face_batches.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr double kCreaseCosine = 0.8191520442889918;  // 35 degrees
 constexpr size_t kMaxFan = 512;   // corners around a position; faces with more are shaded flat
 constexpr double kOnSide = 1e-4;  // barycentric; positions are floats
 constexpr size_t kAlike = 8;      // latest normals at a position searched for an equal one

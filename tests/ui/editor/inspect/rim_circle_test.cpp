@@ -106,5 +106,24 @@ TEST(Rims, are_the_loops_of_open_edges) {
   EXPECT_EQ(rims_of(make_body("grid", test::build(test::grid(5, 1)))).size(), 1u);
 }
 
+TEST(Rims, of_a_closed_mesh_bound_its_smooth_parts) {
+  std::vector<double> radii;
+  for (const std::vector<Vec3>& rim : rims_of(make_body("pipe", test::build(test::pipe(32, 0.5, 1, 0.2))))) {
+    EXPECT_EQ(rim.size(), 32u);
+    radii.push_back(fit_circle(rim)->radius);
+  }
+  std::sort(radii.begin(), radii.end());
+  ASSERT_EQ(radii.size(), 8u);
+  for (size_t i = 0; i < 8; ++i) EXPECT_NEAR(radii[i], i < 4 ? 0.5 : 1, 1e-12);
+}
+
+TEST(Rims, of_a_hole_with_few_sides_include_that_of_the_plane_around_it) {
+  const auto rims = rims_of(make_body("pipe", test::build(test::pipe(6, 0.5, 1, 0.2))));
+  const auto is_hole = [](const std::vector<Vec3>& rim) {
+    return rim.size() == 6 && std::abs(fit_circle(rim)->radius - 0.5) < 1e-12;
+  };
+  EXPECT_EQ(std::count_if(rims.begin(), rims.end(), is_hole), 2);
+}
+
 }  // namespace
 }  // namespace kerf

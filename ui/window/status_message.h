@@ -8,6 +8,10 @@
 
 namespace kerf {
 
+// Returns the text of an error as the window shows it: with a full stop, and files before a colon by their
+// names without the folder: "/home/a/part.stl: cannot be read" becomes "part.stl: cannot be read."
+std::string error_sentence(std::string text);
+
 // The message in the status bar, until the next one replaces it, and the log of all messages.
 struct Message {
   struct Entry {
@@ -25,12 +29,7 @@ struct Message {
   void info(std::string sentence) { show(std::move(sentence), false); }
   void error(std::string sentence) { show(std::move(sentence), true); }
   void clear() { show({}, false); }
-  void show(std::string sentence, bool failed) {
-    if (sentence.empty() && std::exchange(outlives_next_, false)) return;
-    text = std::move(sentence);
-    is_error = failed;
-    if (!text.empty()) note(text, failed);
-  }
+  void show(std::string sentence, bool failed);
 
   // Shows a message about an entry that the change which results from the entry does not clear.
   void info_before_change(std::string sentence) {
@@ -39,10 +38,7 @@ struct Message {
   }
 
   // Adds a sentence to the log without showing it.
-  void note(std::string sentence, bool failed) {
-    log.push_back({std::time(nullptr), std::move(sentence), failed});
-    if (log.size() > kMaxLogged) log.pop_front();
-  }
+  void note(std::string sentence, bool failed);
 
  private:
   bool outlives_next_ = false;

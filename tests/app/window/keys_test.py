@@ -126,7 +126,7 @@ class SettingsTest(WindowTest):
         editor.do("w")  # nothing was done yet, so undo says so
         report = editor.quit()
         self.assertFalse(report["view"]["wire"])
-        self.assertIn("Nothing to undo", report["messages"])
+        self.assertIn("Nothing to undo.", report["messages"])
         self.assertEqual(self.settings()["bindings"], {"edit.undo": "W", "view.wire": ""})
         self.set(bindings={"view.wire": "F7", "no.such_action": "F7", "view.normals": 7})
         editor = self.open_again(SPHERE)

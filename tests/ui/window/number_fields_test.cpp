@@ -25,10 +25,10 @@ TEST_F(NumberEntries, accept_units_and_arithmetic_silently) {
 
 TEST_F(NumberEntries, report_rejected_text_and_the_value_kept) {
   EXPECT_FALSE(radius.entered("abc-5", 1.5).has_value());
-  EXPECT_EQ(message.text, "Radius stays 1.5 mm: \"abc\" is not a number");
+  EXPECT_EQ(message.text, "Radius stays 1.5 mm: \"abc\" is not a number.");
   EXPECT_TRUE(message.is_error);
   EXPECT_FALSE(radius.entered("1e999", 1.5).has_value());
-  EXPECT_EQ(message.text, "Radius stays 1.5 mm: \"1e999\" is too large");
+  EXPECT_EQ(message.text, "Radius stays 1.5 mm: \"1e999\" is too large.");
 }
 
 TEST_F(NumberEntries, report_clamping_and_keep_the_message_after_the_change) {
@@ -45,7 +45,7 @@ TEST_F(NumberEntries, report_clamping_and_keep_the_message_after_the_change) {
 TEST_F(NumberEntries, reject_values_that_must_be_positive) {
   const NumberEntry speed{"Speed", RealFormat("%.4g "), length_unit("mm", "/s"), kPositive};
   EXPECT_FALSE(speed.entered("0", 3).has_value());
-  EXPECT_EQ(message.text, "Speed stays 3 mm/s: it must be more than 0");
+  EXPECT_EQ(message.text, "Speed stays 3 mm/s: it must be more than 0.");
   EXPECT_EQ(*speed.entered("3 m/s", 3), 3000);
 }
 

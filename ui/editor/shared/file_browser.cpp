@@ -367,7 +367,7 @@ void draw_buttons(FileBrowser& b) {
   if (b.fault.empty()) {
     ImGui::TextDisabled("%s", "Up/Down select - Enter confirm - Backspace parent folder - Esc cancel");
   } else {
-    ImGui::TextUnformatted(b.fault.c_str());
+    ImGui::TextUnformatted(error_sentence(b.fault).c_str());
   }
   ImGui::PopTextWrapPos();
   const char* verb = b.replace.empty() ? b.request.verb : "Replace";

@@ -16,7 +16,7 @@ namespace {
 constexpr double kNearestByArea = 0.1;
 constexpr double kNearestByEdge = 1e-3;
 
-constexpr uint32_t kNone = 0xffffffffu;  // no node
+constexpr uint32_t kNone = 0xffffffffu;  // no node, or no face
 
 constexpr double kTolerance = 1e-7;
 constexpr int kIterations = 2000;
@@ -35,8 +35,52 @@ constexpr int kPhasePasses = 12;
 
 }  // namespace
 
+uint32_t HeatGeometry::index_of(const Mesh& mesh, FaceId f) {
+  if (index_of_slot_.size() < mesh.face_slots()) index_of_slot_.resize(mesh.face_slots(), kNone);
+  if (index_of_slot_[f.index] != kNone) return index_of_slot_[f.index];
+  const auto index = static_cast<uint32_t>(faces_.size());
+  index_of_slot_[f.index] = index;
+  const auto corners = mesh.corners(f);
+  const Triangle t = {mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[2])};
+  const auto first = static_cast<uint32_t>(links_.size());
+  for (uint32_t i = 0; i < 3; ++i) append_links(mesh, f, i, corners[i], corners[(i + 1) % 3]);
+  ids_.push_back(f);
+  faces_.push_back(
+      {t, (t[0] + t[1] + t[2]) / 3.0, triangle_area(t), first, static_cast<uint32_t>(links_.size())});
+  return index;
+}
+
+void HeatGeometry::append_links(const Mesh& mesh, FaceId own, uint32_t edge, VertexId from, VertexId to) {
+  const auto link = [&](FaceId neighbour, double share) {
+    if (neighbour != own) links_.push_back({neighbour, edge, share, -1});
+  };
+  sides_.clear();
+  mesh.append_edge_sides(own, from, to, sides_);
+  if (sides_.empty()) return;
+  if (sides_.size() == 1) return link(sides_[0].face, 1);
+  around_.assign(1, own);
+  for (const Mesh::Side& side : sides_) around_.push_back(side.face);
+  std::sort(around_.begin(), around_.end());
+  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
+  const size_t count = around_.size();
+  const size_t at =
+      static_cast<size_t>(std::lower_bound(around_.begin(), around_.end(), own) - around_.begin());
+  const FaceId next = around_[(at + 1) % count], previous = around_[(at + count - 1) % count];
+  if (next == previous) return link(next, 1);
+  const double share = static_cast<double>(count - 1) / static_cast<double>(count);
+  link(next, share);
+  link(previous, share);
+}
+
+void HeatGeometry::clear() {
+  for (const FaceId f : ids_) index_of_slot_[f.index] = kNone;
+  faces_.clear();
+  ids_.clear();
+  links_.clear();
+}
+
 HeatRegion::HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-                       Memory& memory)
+                       HeatGeometry& geometry, Memory& memory)
     : mesh_(mesh),
       heat_(heat),
       mass_per_area_(thickness * substance.density),
@@ -46,7 +90,8 @@ HeatRegion::HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& 
       neighbours_(memory.neighbours),
       neighbour_end_(memory.neighbour_end),
       surrounded_(memory.surrounded),
-      node_of_(memory.node_of) {
+      node_of_(memory.node_of),
+      geometry_(geometry) {
   KERF_ASSERT(nodes_.empty());
   if (node_of_.size() < mesh.face_slots()) node_of_.resize(mesh.face_slots(), kNone);
 }
@@ -65,46 +110,21 @@ bool HeatRegion::contains(FaceId f) const { return node_of_[f.index] != kNone; }
 void HeatRegion::add(FaceId f) {
   assert(mesh_.is_live(f));
   if (contains(f)) return;
-  const uint32_t node = size();
+  const uint32_t node = size(), index = geometry_.index_of(mesh_, f);
   node_of_[f.index] = node;
-  const auto corners = mesh_.corners(f);
-  const Triangle t = {mesh_.position(corners[0]), mesh_.position(corners[1]), mesh_.position(corners[2])};
-  const double area = triangle_area(t);
-  nodes_.push_back({f, (t[0] + t[1] + t[2]) / 3.0, area, area * mass_per_area_, heat_.energy_of(mesh_, f)});
-  for (size_t i = 0; i < 3; ++i) {
-    const size_t next = (i + 1) % 3;
-    sides_.clear();
-    mesh_.append_edge_sides(f, corners[i], corners[next], sides_);
-    add_edge(node, {t[i], t[next]});
+  const HeatGeometry::Face& face = geometry_.face(index);
+  nodes_.push_back({f, face.centroid, face.area, face.area * mass_per_area_, heat_.energy_of(mesh_, f)});
+  for (HeatGeometry::Link& link : geometry_.links(index)) {
+    neighbours_.push_back(link.neighbour);
+    const uint32_t other = node_of_[link.neighbour.index];
+    if (other == kNone) continue;
+    if (link.conductance < 0) {
+      const Edge edge{face.corners[link.edge], face.corners[(link.edge + 1) % 3]};
+      link.conductance = link.share * conductance(nodes_[node], nodes_[other], edge);
+    }
+    if (link.conductance > 0) links_.push_back({other, node, link.conductance});
   }
   neighbour_end_.push_back(static_cast<uint32_t>(neighbours_.size()));
-}
-
-void HeatRegion::add_edge(uint32_t node, const Edge& edge) {
-  if (sides_.empty()) return;
-  const FaceId own = nodes_[node].face;
-  if (sides_.size() == 1) return join(node, sides_[0].face, edge, 1);
-  around_.assign(1, own);
-  for (const Mesh::Side& side : sides_) around_.push_back(side.face);
-  std::sort(around_.begin(), around_.end());
-  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-  const size_t count = around_.size();
-  const size_t at =
-      static_cast<size_t>(std::lower_bound(around_.begin(), around_.end(), own) - around_.begin());
-  const FaceId next = around_[(at + 1) % count], previous = around_[(at + count - 1) % count];
-  if (next == previous) return join(node, next, edge, 1);
-  const double share = static_cast<double>(count - 1) / static_cast<double>(count);
-  join(node, next, edge, share);
-  join(node, previous, edge, share);
-}
-
-void HeatRegion::join(uint32_t node, FaceId neighbour, const Edge& edge, double share) {
-  if (neighbour == nodes_[node].face) return;
-  neighbours_.push_back(neighbour);
-  const uint32_t other = node_of_[neighbour.index];
-  if (other == kNone) return;
-  const double conductance = share * this->conductance(nodes_[node], nodes_[other], edge);
-  if (conductance > 0) links_.push_back({other, node, conductance});
 }
 
 // A centroid lies at a third of the height over the edge.

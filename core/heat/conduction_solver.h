@@ -1,10 +1,51 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/heat/face_heat.h"
 
 namespace kerf {
+
+// Shapes of the faces of a mesh and conductances between neighbours, computed when they are first needed.
+// Valid until the mesh changes; then call clear(). Takes 4 bytes per face slot of the largest mesh, plus some
+// 200 bytes per face used.
+class HeatGeometry {
+ public:
+  struct Face {
+    Triangle corners;
+    Vec3 centroid;
+    double area;  // m^2
+    uint32_t first_link, link_end;
+  };
+  // An edge shared with a neighbour, which conducts a fraction `share` over it.
+  struct Link {
+    FaceId neighbour;
+    uint32_t edge;  // begins at this corner
+    double share;
+    double conductance;  // W/K; negative until HeatRegion computes it
+  };
+
+  // Returns the index of a live face. O(1), linear in the degrees of rings.
+  uint32_t index_of(const Mesh& mesh, FaceId f);
+  const Face& face(uint32_t index) const { return faces_[index]; }
+  std::span<Link> links(uint32_t index) {
+    return std::span(links_).subspan(faces_[index].first_link,
+                                     faces_[index].link_end - faces_[index].first_link);
+  }
+  double area(const Mesh& mesh, FaceId f) { return faces_[index_of(mesh, f)].area; }
+  void clear();
+
+ private:
+  void append_links(const Mesh& mesh, FaceId own, uint32_t edge, VertexId from, VertexId to);
+
+  std::vector<Face> faces_;
+  std::vector<FaceId> ids_;  // of the faces
+  std::vector<Link> links_;
+  std::vector<uint32_t> index_of_slot_;
+  std::vector<Mesh::Side> sides_;  // working memory
+  std::vector<FaceId> around_;     // working memory
+};
 
 // The faces of a mesh that conduct heat in a time step, and the conductances between neighbours.
 //
@@ -38,10 +79,10 @@ class HeatRegion {
     std::vector<uint32_t> node_of;        // by slot of a face
   };
 
-  // Creates an empty region. `thickness` in m. Precondition: no other region uses the memory at the same
-  // time.
+  // Creates an empty region. `thickness` in m. Preconditions: no other region uses the memory at the same
+  // time, and the geometry is that of the mesh, or cleared; its conductances are for this sheet.
   HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
-             Memory& memory);
+             HeatGeometry& geometry, Memory& memory);
   ~HeatRegion();
   HeatRegion(const HeatRegion&) = delete;
   HeatRegion& operator=(const HeatRegion&) = delete;
@@ -62,8 +103,6 @@ class HeatRegion {
   struct Edge {
     Vec3 from, to;
   };
-  void add_edge(uint32_t node, const Edge& edge);
-  void join(uint32_t node, FaceId neighbour, const Edge& edge, double share);
   double conductance(const Node& a, const Node& b, const Edge& edge) const;
 
   const Mesh& mesh_;
@@ -77,8 +116,7 @@ class HeatRegion {
   std::vector<uint32_t>& neighbour_end_;
   std::vector<uint8_t>& surrounded_;
   std::vector<uint32_t>& node_of_;
-  std::vector<Mesh::Side> sides_;  // working memory
-  std::vector<FaceId> around_;     // working memory
+  HeatGeometry& geometry_;
 };
 
 // The equations diagonal[i] x[i] - sum over links of seconds * conductance * x[other] = right[i], solved by
@@ -189,6 +227,24 @@ class HeatStep::Memory {
 struct HeatMemory {
   HeatRegion::Memory region;
   HeatStep::Memory step;
+  HeatGeometry geometry;
+  bool keeps_geometry = false;  // conduct() does not clear it, see KeptHeatGeometry
+};
+
+// While it exists, conduct() reuses the geometry of its first call. Precondition: all calls are for one mesh
+// with one sheet, and no face of it changes its shape.
+class KeptHeatGeometry {
+ public:
+  explicit KeptHeatGeometry(HeatMemory& memory) : memory_(memory) {
+    memory_.geometry.clear();
+    memory_.keeps_geometry = true;
+  }
+  ~KeptHeatGeometry() { memory_.keeps_geometry = false; }
+  KeptHeatGeometry(const KeptHeatGeometry&) = delete;
+  KeptHeatGeometry& operator=(const KeptHeatGeometry&) = delete;
+
+ private:
+  HeatMemory& memory_;
 };
 
 }  // namespace kerf

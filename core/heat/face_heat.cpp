@@ -46,8 +46,9 @@ struct HotBody {
   const FaceHeat& heat;
   const Substance& substance;
   double thickness;
+  HeatGeometry& geometry;
 
-  double mass(FaceId f) const { return triangle_area(mesh.triangle(f)) * thickness * substance.density; }
+  double mass(FaceId f) const { return geometry.area(mesh, f) * thickness * substance.density; }
   void note(FaceId f, double temperature) const {
     if (temperature > kTintedFrom) heat.record_hottest(mesh, f, temperature);
   }
@@ -110,8 +111,9 @@ double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, dou
   mesh.columns().for_each_set(heat.energy, [&](FaceId f) { warm.push_back(f); });
   if (warm.empty() || seconds == 0) return 0;
 
-  const HotBody body{mesh, heat, substance, thickness};
-  HeatRegion region(mesh, heat, substance, thickness, memory.region);
+  if (!memory.keeps_geometry) memory.geometry.clear();
+  const HotBody body{mesh, heat, substance, thickness, memory.geometry};
+  HeatRegion region(mesh, heat, substance, thickness, memory.geometry, memory.region);
   const double rested = gather(body, warm, seconds, region);
   HeatStep step(region, substance, loss, thickness, memory.step);
   double remaining = seconds;

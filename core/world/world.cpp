@@ -80,6 +80,21 @@ uint64_t motion_hash(uint64_t seed, const Motion& motion) {
   return hash_combine(hash_combine(h, motion.quiet), motion.asleep ? 1 : 0);
 }
 
+// Conducts heat in a body for a time (s). Returns the energy that it loses to the environment (J).
+double lost_heat(World& world, BodyId id, double seconds) {
+  Body& body = world.body(id);
+  if (seconds <= 0 || body.mesh.columns().blank()) return 0;
+  return conduct(body.mesh, body.heat, body.sheet.substance, body.sheet.thickness, HeatLoss{}, seconds,
+                 world.heat_memory());
+}
+
+// Takes a time (s), or what remains of it, from that which strokes have simulated ahead of the clock.
+double skip_ahead(World& world, double seconds) {
+  const double done = std::min(seconds, world.energy().ahead);
+  if (done > 0) world.edit_energy().ahead -= done;
+  return done;
+}
+
 void flow(World& world, double seconds) {
   for (const BodyId id : world.ids()) step_heat(world, id, seconds);
 }
@@ -399,10 +414,7 @@ std::optional<uint64_t> looks_hash(const World& world) {
 
 void step_heat(World& world, BodyId id, double seconds) {
   KERF_ASSERT(seconds >= 0);
-  Body& body = world.body(id);
-  if (seconds <= 0 || body.mesh.columns().blank()) return;
-  world.edit_energy().lost += conduct(body.mesh, body.heat, body.sheet.substance, body.sheet.thickness,
-                                      HeatLoss{}, seconds, world.heat_memory());
+  if (const double lost = lost_heat(world, id, seconds); lost != 0) world.edit_energy().lost += lost;
 }
 
 void step_heat(World& world, double seconds) {
@@ -410,16 +422,29 @@ void step_heat(World& world, double seconds) {
   if (is_hot(world)) world.edit_energy().ahead += seconds;
 }
 
-void cool(World& world, double seconds) {
-  const double done = std::min(seconds, world.energy().ahead);
-  if (done > 0) world.edit_energy().ahead -= done;
-  flow(world, seconds - done);
-}
+void cool(World& world, double seconds) { flow(world, seconds - skip_ahead(world, seconds)); }
 
 void cool_for_ticks(World& world, Ticks passed) {
   KERF_ASSERT(passed <= world.clock());
   const Ticks flows = world.clock() / kTicksOfFlow - (world.clock() - passed) / kTicksOfFlow;
-  for (Ticks i = 0; i < flows; ++i) cool(world, static_cast<double>(kTicksOfFlow) / kTicksPerSecond);
+  if (flows == 0) return;
+  std::vector<double> times;
+  for (Ticks i = 0; i < flows; ++i) {
+    constexpr double kSeconds = static_cast<double>(kTicksOfFlow) / kTicksPerSecond;
+    times.push_back(kSeconds - skip_ahead(world, kSeconds));
+  }
+  // Body by body, because the geometry of a body stays the same; the losses are summed in the order of time.
+  const std::vector<BodyId> ids = world.ids();
+  std::vector<std::vector<double>> lost(ids.size());
+  for (size_t b = 0; b < ids.size(); ++b) {
+    const KeptHeatGeometry kept(world.heat_memory());
+    for (const double seconds : times) lost[b].push_back(lost_heat(world, ids[b], seconds));
+  }
+  for (size_t i = 0; i < times.size(); ++i) {
+    for (size_t b = 0; b < ids.size(); ++b) {
+      if (lost[b][i] != 0) world.edit_energy().lost += lost[b][i];
+    }
+  }
 }
 
 bool is_hot(const World& world) {

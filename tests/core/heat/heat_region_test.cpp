@@ -15,11 +15,15 @@ namespace {
 // Heat in a mesh of steel sheet.
 struct Sheeting {
   explicit Sheeting(const Soup& soup) : mesh(std::move(build(soup).mesh)), heat(FaceHeat::attach(mesh)) {}
-  HeatRegion region(double thickness = 0.002) { return {mesh, heat, steel, thickness, memory}; }
+  HeatRegion region(double thickness = 0.002) {
+    geometry.clear();
+    return {mesh, heat, steel, thickness, geometry, memory};
+  }
 
   Mesh mesh;
   FaceHeat heat;
   Substance steel;
+  HeatGeometry geometry;
   HeatRegion::Memory memory;
 };
 

@@ -53,9 +53,24 @@ TEST(HeatFlow, does_not_depend_on_the_grouping_of_ticks) {
   for (int i = 0; i < 60; ++i) pass(one_by_one, 1);
   expect_same_world(batched, one_by_one);
   EXPECT_EQ(stored(batched), stored(one_by_one));
+  EXPECT_EQ(batched.energy().lost, one_by_one.energy().lost);
   World three = hot_world();
   pass(three, 3);
   EXPECT_EQ(stored(three), 40) << "it flows each fourth tick";
+}
+
+TEST(HeatFlow, of_many_ticks_equals_single_flows_in_bodies_of_different_shape) {
+  World batched = hot_world();
+  Body second = make_body("sphere", build(sphere(8, 16, 0.1)));
+  second.heat.set_energy(second.mesh, FaceId(90), 70);
+  batched.add(std::move(second));
+  World single = batched;
+  batched.pass(60);
+  single.pass(60);
+  cool_for_ticks(batched, 60);
+  for (int i = 0; i < 15; ++i) cool(single, static_cast<double>(kTicksOfFlow) / kTicksPerSecond);
+  expect_same_world(batched, single);
+  EXPECT_EQ(batched.energy().lost, single.energy().lost);
 }
 
 }  // namespace

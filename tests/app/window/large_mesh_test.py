@@ -38,6 +38,30 @@ class LargeMesh(WindowTest):
             times = ", ".join(f"{key} {value:.0f}" for key, value in cutting[name].items())
             print(f"1.1 M faces, {cutting['frames']} frames that cut: {name} {times}")
 
+    def test_cancelling_an_upload_returns_to_the_unsaved_work(self):
+        editor = self.open(SPHERE)
+        editor.drag([(0.3, 0.5), (0.7, 0.5)])
+        editor.wait_for_title("sphere.json* - Kerf")
+        before = editor.ask("report")
+        editor.press("ctrl", "o")
+        editor.part("browser")
+        editor.pause(1)
+        editor.type(self.large_mesh())
+        editor.pause(0.5)
+        editor.press("Return")
+        editor.part("question")
+        editor.press("d")  # discards the stroke
+        self.assertEqual(editor.title(), "big_bunny_x16.ply - Kerf")
+        self.assertEqual(editor.ask("report")["faces"], 1114656)
+        editor.do("Escape")
+        editor.wait_for_title("sphere.json* - Kerf")
+        report = editor.ask("report")
+        self.assertEqual(report["message"], "Cancelled opening big_bunny_x16.ply; sphere.json is open again.")
+        for key in "faces", "strokes", "state_hash", "files", "laser":
+            self.assertEqual(report[key], before[key], key)
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.quit()["strokes"], 0)
+
     def slot_journal(self, mesh):
         """The mesh cut in two large pieces, and a small one, by a stroke of more than 16 MB of before-images."""
         journal = os.path.join(self.folder, "slot.kerf")

@@ -473,8 +473,69 @@ Status FileOpener::open_default_scene() {
   return Done{};
 }
 
+FileOpener::ReplacedDocument FileOpener::take_open_document() {
+  const ViewState& view = workspace_.view;
+  return {std::exchange(workspace_.session, DocumentSession()),
+          workspace_.laser,
+          view.camera,
+          view.frame,
+          view.home,
+          view.look.lights,
+          view.look.show,
+          view.look.pieces,
+          view.numbers,
+          view.spread,
+          workspace_.screen.picture->first().loaded_shadings()};
+}
+
+void FileOpener::bring_back(ReplacedDocument before) {
+  DocumentSession& session = workspace_.session = std::move(before.session);
+  workspace_.changes.forget();
+  workspace_.links.replaced();
+  workspace_.laser = before.laser;
+  ViewState& view = workspace_.view;
+  view.camera = before.camera;
+  view.frame = before.frame;
+  view.frame_asked_for.clear();
+  view.home = before.home;
+  view.look.lights = before.lights;
+  view.look.show = before.show;
+  view.look.pieces = std::move(before.pieces);
+  view.numbers = std::move(before.numbers);
+  view.spread = before.spread;
+  PreparedBodies prepared;
+  for (auto& [id, shading] : before.shadings)
+    prepared.emplace(id, PreparedBody{shading.frame, std::move(shading.bases), nullptr});
+  workspace_.screen.picture->first().show(session.world(), session.paints, std::move(prepared));
+  shadows_due_ = true;
+  workspace_.screen.picture->draft(true);
+  view.picture_old = workspace_.services.statistics.world_changed = true;
+}
+
+bool FileOpener::can_cancel_upload() const {
+  return uploads_ && workspace_.screen.picture->first().is_sending() &&
+         !needs_recovery_file(workspace_.session, workspace_.view.look.lights);
+}
+
+void FileOpener::cancel_upload() {
+  KERF_ASSERT(can_cancel_upload());
+  uploads_ = false;
+  const std::string cancelled = "Cancelled opening " + name_of_work(workspace_.session);
+  if (!replaced_) {
+    open_fresh();
+    replaced_.reset();
+    return workspace_.message.info(cancelled + ".");
+  }
+  bring_back(std::move(*std::exchange(replaced_, std::nullopt)));
+  recovery_.drop();
+  recovery_.begin(workspace_.session, workspace_.view);
+  workspace_.message.info(cancelled + "; " + name_of_work(workspace_.session) + " is open again.");
+}
+
 // Drops the recovery data of the previous work.
 void FileOpener::show(LoadedFiles loaded) {
+  replaced_.reset();
+  if (!stage_is_empty_) replaced_ = take_open_document();
   stage_is_empty_ = false;
   shadows_due_ = loaded.shadows_later;
   workspace_.screen.picture->draft(shadows_due_);
@@ -529,6 +590,7 @@ void FileOpener::open_recovered() {
 }
 
 void FileOpener::take_loaded() {
+  if (!can_cancel_upload()) replaced_.reset(), uploads_ = false;
   FileLoader& loader = workspace_.opening.loader;
   if (loader.busy()) {
     if (stage_is_empty_) {
@@ -543,9 +605,9 @@ void FileOpener::take_loaded() {
   if (!stage_is_empty_ || loader.busy() || missing_) return;
   stage_is_empty_ = false;
   workspace_.opening.partial_world.reset();
-  const std::string fault = workspace_.message.text;  // why the file could not be opened
+  const Message why = workspace_.message;  // the file could not be opened
   open_fresh();
-  if (!fault.empty()) workspace_.message.error(fault);
+  if (!why.text.empty()) workspace_.message.show(why.text, why.is_error);
 }
 
 void FileOpener::open_with(const std::filesystem::path& mesh) {
@@ -568,6 +630,7 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
   if (opened) {
     cancel_stroke(workspace_);
     show(std::move(*loaded));
+    uploads_ = true;
   } else if (const auto mesh = missing_mesh(order)) {
     missing_ = {std::move(order), *mesh};
     return;

@@ -147,10 +147,33 @@ class FileOpener {
 
   // Called after take_loaded(): prepares shadow casters of a large scene in the background, after a frame.
   void make_shadows();
+  // Returns true while the faces of newly opened files are being uploaded and nothing was changed yet, so
+  // that cancel_upload() loses no work.
+  bool can_cancel_upload() const;
+  // Shows the document that was open before, with its history and unsaved changes, or the default scene if
+  // there was none. Precondition: can_cancel_upload().
+  void cancel_upload();
   // Returns true if the next frame is needed without input, because shadows are missing.
   bool moving() const { return shadows_due_ && workspace_.screen.window->draws(); }
 
  private:
+  // The document that opened files replaced, with its view and shading.
+  struct ReplacedDocument {
+    DocumentSession session;
+    LaserControls laser;
+    Camera camera;
+    FileFrame frame;
+    std::optional<View> home;
+    std::vector<Light> lights;
+    ShowOptions show;
+    PieceMap pieces;
+    PieceNumbers numbers;
+    double spread = 0;
+    LoadedShadings shadings;
+  };
+  ReplacedDocument take_open_document();
+  void bring_back(ReplacedDocument before);
+
   LoadRequest order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
   void show_empty_stage();
@@ -162,7 +185,9 @@ class FileOpener {
   std::filesystem::path default_scene_;
   std::optional<MissingMesh> missing_;
   bool stage_is_empty_ = false;
-  bool shadows_due_ = false;  // the shadow casters of the opened scene are not prepared yet
+  bool uploads_ = false;                      // the faces of the opened files
+  std::optional<ReplacedDocument> replaced_;  // kept during the upload; nullopt: none was open
+  bool shadows_due_ = false;                  // the shadow casters of the opened scene are not prepared yet
 };
 
 // Asks for the unit and the up axis of an opened mesh file, at the right border of the viewport under the

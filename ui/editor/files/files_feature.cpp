@@ -123,9 +123,10 @@ class FilesFeature : public Feature {
     return true;
   }
   bool cancel() override {
-    const bool opens = workspace_.opening.loader.busy();
+    const bool opens = workspace_.opening.loader.busy(), uploads = !opens && opener_.can_cancel_upload();
     if (opens) cancel_opening(workspace_.opening, workspace_.message);
-    return opens;
+    if (uploads) cancel_upload();
+    return opens || uploads;
   }
 
   void update(double) override {
@@ -162,6 +163,10 @@ class FilesFeature : public Feature {
     if (loader.busy() && draw_progress(picture, "Opening " + loader.order().name() + ": " + loader.doing(),
                                        loader.fraction(), true))
       cancel_opening(workspace_.opening, workspace_.message);
+    const Renderer& renderer = workspace_.screen.picture->first();
+    if (!loader.busy() && renderer.is_sending() &&
+        draw_progress(picture, "Uploading to GPU", renderer.sent_share(), opener_.can_cancel_upload()))
+      cancel_upload();
     draw_question(decisions_.question);
   }
   void on_captured(Captured what) override {
@@ -281,6 +286,15 @@ class FilesFeature : public Feature {
     workspace_.opening.loader.cancel();
     workspace_.changes.forget();
     then();
+  }
+  void cancel_upload() {
+    workspace_.changes.enqueue({.name = "Cancel Upload",
+                                .run =
+                                    [this] {
+                                      if (opener_.can_cancel_upload()) opener_.cancel_upload();
+                                      return true;
+                                    },
+                                .always = true});
   }
   bool autosave(int interval) {
     const Recovery::Time time{workspace_.screen.clock->seconds(), static_cast<double>(interval)};

@@ -113,15 +113,15 @@ ViewOptions look_of_second(const ViewOptions& first, double spread, const World&
   return look;
 }
 
-// Uploads the changes, or as much of a new scene as there is time for. If a script leaves frames undrawn,
-// changes are sent with the next drawn one.
-void send(Workspace& workspace) {
+// Uploads the changes, or as much of a new scene as there is time for. In a script, whose clock stands during
+// a frame, that is one part; if it leaves frames undrawn, changes are sent with the next drawn one.
+void send(Workspace& workspace, bool in_script) {
   if (!workspace.view.picture_old && !workspace.view.heat_old) return;
   Renderer& renderer = workspace.screen.picture->first();
   if (!workspace.screen.window->draws() && !renderer.is_sending() && !workspace.links.cools) return;
   const size_t before = renderer.uploaded_bytes();
   const double until = workspace.screen.clock->seconds() + kSendingSeconds;
-  while (renderer.is_sending() && workspace.screen.clock->seconds() < until)
+  while (!in_script && renderer.is_sending() && workspace.screen.clock->seconds() < until)
     renderer.send_faces(workspace.shown_world());
   renderer.catch_up(workspace.shown_world());
   if (renderer.uploaded_bytes() > before)
@@ -380,7 +380,7 @@ void EditorScreen::advance() {
   if (!workspace_.changes.is_pending()) workspace_.changes.report_done();
   for (const auto& feature : features_) feature->after_queue(seconds);
   if (workspace_.input.held && workspace_.input.held->over()) workspace_.input.held.reset();
-  send(workspace_);
+  send(workspace_, window_.script() != nullptr);
 }
 
 void EditorScreen::finish_change() {
@@ -455,8 +455,6 @@ void EditorScreen::draw_panels() {
     hint = workspace_.services.statistics.shown.work.c_str();
   if (draw_status_bar(layout.status, hint, workspace_.message, workspace_.services.statistics.shown))
     workspace_.services.messages_shown = true;
-  if (picture_.first().is_sending() && !workspace_.opening.loader.busy())
-    draw_progress(layout.viewport, "Uploading to GPU", picture_.first().sent_share(), false);
   for (const auto& feature : features_) feature->draw_windows();
 }
 

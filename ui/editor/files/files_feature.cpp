@@ -415,6 +415,16 @@ class FilesFeature : public Feature {
     watch_again();
     if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
   }
+  // Saves to a file of the dialog, which opens again with the error if that fails.
+  void save_as(const fs::path& file) {
+    save_to(file);
+    if (!workspace_.message.is_error) return;
+    std::error_code error;
+    const bool has_folder = fs::is_directory(file.parent_path(), error);
+    if (has_folder) workspace_.settings.folder = file.parent_path();
+    select_file_to_save((has_folder ? file.filename() : file).string());
+    workspace_.services.browser.fault = workspace_.message.text;
+  }
   void select_file_to_open() {
     browse(workspace_.services.browser,
            {.title = "Open",
@@ -429,7 +439,8 @@ class FilesFeature : public Feature {
             .thumbnails = &workspace_.services.thumbnails},
            workspace_.settings.folder, "");
   }
-  void select_file_to_save() {
+  void select_file_to_save() { select_file_to_save(suggested_name(workspace_.session)); }
+  void select_file_to_save(const std::string& name) {
     browse(workspace_.services.browser,
            {.title = "Save",
             .verb = "Save",
@@ -438,10 +449,10 @@ class FilesFeature : public Feature {
             .take =
                 [this](const fs::path& file) {
                   workspace_.changes.enqueue(
-                      {.name = "Save", .run = [this, file] { return save_to(file), true; }, .always = true});
+                      {.name = "Save", .run = [this, file] { return save_as(file), true; }, .always = true});
                   return "";
                 }},
-           workspace_.settings.folder, suggested_name(workspace_.session));
+           workspace_.settings.folder, name);
   }
   void take_picture(Captured what) {
     const Window& window = *workspace_.screen.window;

@@ -145,6 +145,9 @@ std::string verdict(const GraphState& graph) {
   if (graph.shows_piece()) return "The search reached every face connected to the first.";
   if (graph.removed() == 0) return "No cut yet.";
   const size_t rest = graph.total() - graph.reached();
+  if (!graph.separated() && graph.cut_off() > 0)
+    return "Separated: the stroke cut off " + count_text(graph.cut_off(), "piece") +
+           (graph.cut_off() == 1 ? ", which is" : ", which are") + " no longer in this body.";
   if (!graph.separated()) return "Not separated: the search reached every face that was connected before.";
   const size_t others = graph.sets() - 1;
   return "Separated: " + count_text(rest, "face") + " in " + count_text(others, "other part") +

@@ -242,7 +242,7 @@ void GraphState::clear() {
   opened_.clear();
   closings_.clear();
   loops_.clear();
-  marked_ = removed_ = removals_ = 0;
+  marked_ = removed_ = removals_ = cut_off_ = 0;
   playing_ = false;
 }
 
@@ -269,6 +269,7 @@ void GraphState::read_cut(const Document& document) {
   const CutFaces removed = last_cut_faces(document.history());
   const auto cut = document.history().last_cut();
   complete_ = !cut || document.history().step(*cut).totals().has_all_cut_faces();
+  cut_off_ = cut ? document.history().step(*cut).totals().came_off.size() : 0;
   graph_ = cut_graph(document.world(), removed);
   removed_ = removals_ = graph_.nodes.size() - graph_.live;
   closings_ = closings_of(removed);

@@ -86,6 +86,9 @@ class GraphState {
   bool separated() const { return traversal_.separated(); }
   size_t sets() const { return traversal_.sets; }
   size_t removed() const { return removed_; }
+  // The number of pieces that the last stroke cut off. Those that were moved or deleted since are no longer
+  // in its bodies, which the traversal does not leave.
+  size_t cut_off() const { return cut_off_; }
 
   // The removals of the stroke that closed a loop of removed faces (see CutLoops), numbered from 1, in
   // order; and whether all faces that the stroke removed are kept.
@@ -124,7 +127,7 @@ class GraphState {
   Placing placing_ = Placing::kUnrolled;
   std::shared_ptr<const DrawnGraph> drawn_;
   GraphLayout layout_;
-  size_t marked_ = 0, removed_ = 0, removals_ = 0, left_out_ = 0;
+  size_t marked_ = 0, removed_ = 0, removals_ = 0, left_out_ = 0, cut_off_ = 0;
   bool asked_ = false;
   double played_ = 0;  // faces, with a fraction
   bool playing_ = false, complete_ = true, unrolled_ = false;

@@ -45,6 +45,20 @@ TEST(GraphState, updates_only_when_no_stroke_is_being_cut) {
   EXPECT_FALSE(graph.closings().empty());
 }
 
+TEST(GraphState, knows_pieces_that_were_cut_off_after_they_left_the_body) {
+  Document document = sheet_to_cut();
+  cut_at(document, 0.1);
+  run_queue(document);
+  GraphState graph;
+  graph.follow(document);
+  EXPECT_EQ(graph.cut_off(), 1u);
+  const PieceId piece{document.world().ids().front(), 1};
+  ASSERT_TRUE(document.apply(MovePiece{piece, {{0, 1, 0}, {}}}).ok());
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_FALSE(graph.separated()) << "the search stays in one body";
+  EXPECT_EQ(graph.cut_off(), 1u);
+}
+
 TEST(GraphState, updates_between_single_steps) {
   Document document = sheet_to_cut();
   GraphState graph;

@@ -38,6 +38,17 @@ class Panels(WindowTest):
         editor.quit()
         self.assertEqual(self.settings()["docks"]["laser"], "column")
 
+    def test_a_panel_shown_by_the_palette_scrolls_into_view(self):
+        editor = self.open(SPHERE)
+        editor.press("ctrl", "p")
+        editor.type("panels light")
+        editor.press("Return")
+        editor.settle()
+        x, y, width, height = editor.part("side")
+        left, top = editor.part("panel light")[:2]
+        self.assertTrue(y <= top < y + 0.5 * height, (top, y, height))
+        editor.quit()
+
     def test_the_tour_advances_when_a_step_is_done_and_ends_with_esc(self):
         editor = self.open(SPHERE)
         editor.press("ctrl", "p")

@@ -283,7 +283,7 @@ std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces
     actions.push_back({.name = panel.title, .tip = "Shows or hides this panel."});
     actions.back().run = [&places, id] {
       if (places.shows(id)) return places.fold(id);
-      places.show(id);
+      places.reveal(id);
     };
     actions.back().checked = [&places, id] { return places.shows(id); };
   }

@@ -220,6 +220,7 @@ EditorScreen::EditorScreen(Window& window, LivePicture picture, LoadedSettings l
   };
   workspace_.links.replaced = [this] {
     workspace_.input.held.reset();
+    statistics_at_.reset();
     for (const auto& feature : features_) feature->on_document_opened();
   };
   workspace_.screen.landmarks = &landmarks_;
@@ -419,7 +420,7 @@ void EditorScreen::draw() {
   busy_frame_ = thread_.busy();
   if (busy_frame_) return busy_.draw(window_.size(), workspace_.view.layout.viewport, thread_);
   const double began = window_.clock().seconds();
-  if (began - statistics_at_ >= kFigureSeconds) {
+  if (!statistics_at_ || began - *statistics_at_ >= kFigureSeconds) {
     statistics_at_ = began;
     save_settings();
     bring_up_to_date(workspace_);

@@ -149,12 +149,12 @@ class EditorScreen : public Screen {
   DeferredPress deferred_press_;
   ChangeThread thread_;  // while it is busy the document is not accessed
   BusyWindow busy_;
-  std::string title_;           // of the window
-  double statistics_at_ = -1;   // s, last update of the statistics
-  bool easing_ = false;         // of the camera
-  bool busy_frame_ = false;     // the last frame showed the busy window
-  bool new_picture_ = false;    // in the last frame
-  double picture_seconds_ = 0;  // likewise
+  std::string title_;                    // of the window
+  std::optional<double> statistics_at_;  // s, last update of the statistics; nullopt: they are outdated
+  bool easing_ = false;                  // of the camera
+  bool busy_frame_ = false;              // the last frame showed the busy window
+  bool new_picture_ = false;             // in the last frame
+  double picture_seconds_ = 0;           // likewise
 };
 
 }  // namespace kerf

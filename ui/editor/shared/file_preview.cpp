@@ -13,6 +13,7 @@
 #include "core/document/journal.h"
 #include "core/document/scene.h"
 #include "core/mesh/mesh_file.h"
+#include "core/mesh/weld.h"
 #include "ui/editor/shared/file_frames.h"
 #include "ui/window/number_text.h"
 #include "ui/window/widgets.h"
@@ -171,6 +172,13 @@ FileFrame frame_of(const PreviewRequest& request, MeshFormat format, const Vec3&
   return guess_frame(format, low, high);
 }
 
+// Counts the positions that are welded to no earlier one.
+size_t distinct_positions(std::span<const uint32_t> welded) {
+  size_t count = 0;
+  for (size_t i = 0; i < welded.size(); ++i) count += welded[i] == i;
+  return count;
+}
+
 FilePreview preview_of_mesh(const PreviewRequest& request, const Progress& progress) {
   FilePreview preview;
   const Result<Soup> soup = read_mesh(request.file, &progress);
@@ -182,7 +190,9 @@ FilePreview preview_of_mesh(const PreviewRequest& request, const Progress& progr
       mesh_format("." + soup->format)
           .value_or(mesh_format(request.file.extension().string()).value_or(MeshFormat::kObj));
   add_count(preview, "Faces", soup->triangles.size());
-  add_count(preview, "Vertices", soup->positions.size());
+  const Result<std::vector<uint32_t>> welded = weld_positions(soup->positions, &progress);
+  if (!welded) return preview;
+  add_count(preview, "Vertices", distinct_positions(*welded));
   if (soup->material_names.size() > 1) add_count(preview, "Materials", soup->material_names.size());
   Vec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const Vec3& p : soup->positions) {

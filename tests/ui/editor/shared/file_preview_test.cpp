@@ -58,6 +58,19 @@ TEST(FilePreview, states_counts_and_size_of_a_mesh) {
   EXPECT_EQ(in_inches.facts.back().second, "2 x 1 x 3 mm");
 }
 
+TEST(FilePreview, counts_the_shared_corners_of_a_mesh_once) {
+  test::TemporaryFolder folder;
+  write_text(folder / "one.stl",
+             "solid a\n"
+             "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+             "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n"
+             "endsolid a\n");
+  const Facts facts = preview_of({folder / "one.stl"}, kGoesOn).facts;
+  ASSERT_GE(facts.size(), 2u);
+  EXPECT_EQ(facts[0], (std::pair<std::string, std::string>("Faces", "2")));
+  EXPECT_EQ(facts[1], (std::pair<std::string, std::string>("Vertices", "4")));
+}
+
 // The area that a brick covers is the sum of the areas of its sides, projected along the direction of view.
 TEST(FilePreview, draws_the_silhouette_of_a_mesh) {
   test::TemporaryFolder folder;

@@ -22,6 +22,7 @@ void Message::show(std::string sentence, bool failed) {
   if (sentence.empty() && std::exchange(outlives_next_, false)) return;
   text = failed ? error_sentence(std::move(sentence)) : std::move(sentence);
   is_error = failed;
+  is_objection_ = false;
   if (!text.empty()) note(text, failed);
 }
 

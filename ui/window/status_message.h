@@ -29,6 +29,14 @@ struct Message {
   void info(std::string sentence) { show(std::move(sentence), false); }
   void error(std::string sentence) { show(std::move(sentence), true); }
   void clear() { show({}, false); }
+  // Shows why an action is disabled. drop_objection() clears it, which the next action or press calls.
+  void object(std::string reason) {
+    error(std::move(reason));
+    is_objection_ = true;
+  }
+  void drop_objection() {
+    if (is_objection_) clear();
+  }
   void show(std::string sentence, bool failed);
 
   // Shows a message about an entry that the change which results from the entry does not clear.
@@ -41,7 +49,7 @@ struct Message {
   void note(std::string sentence, bool failed);
 
  private:
-  bool outlives_next_ = false;
+  bool outlives_next_ = false, is_objection_ = false;
 };
 
 }  // namespace kerf

@@ -93,6 +93,9 @@ TEST_F(Actions, a_key_toggles_a_view_switch_and_a_disabled_action_reports_why) {
   EXPECT_TRUE(run_shortcut(actions, 'H', 0, workspace.message));
   EXPECT_TRUE(workspace.message.is_error);
   EXPECT_FALSE(run_shortcut(actions, GLFW_KEY_F7, 0, workspace.message));
+  EXPECT_TRUE(workspace.message.is_error);
+  EXPECT_TRUE(run_shortcut(actions, 'W', 0, workspace.message));
+  EXPECT_EQ(workspace.message.text, "") << "the reason holds until the next action";
 }
 
 TEST_F(Actions, alternative_keys_run_the_same_action) {

@@ -41,8 +41,9 @@ bool run_shortcut(std::span<const UserAction> actions, int key, int mods, Messag
   if (action == nullptr) return false;
   KERF_ASSERT(action->run);
   if (const char* why = action->objection()) {
-    message.error(why);
+    message.object(why);
   } else {
+    message.drop_objection();
     action->run();
   }
   return true;

@@ -330,6 +330,7 @@ void EditorScreen::handle_input_event(const InputEvent& event) {
 
 void EditorScreen::handle_pointer(const InputEvent& event) {
   const bool in_picture = workspace_.view.layout.viewport.contains(event.at) && !pointer_is_over_panel();
+  if (event.kind == InputEvent::Kind::kPress) workspace_.message.drop_objection();
   if (event.kind == InputEvent::Kind::kPress && is_popup_open() && in_picture) {
     close_popups();
     return deferred_press_.hold(event);

@@ -54,6 +54,36 @@ class Files(WindowTest):
             editor.do("Return")
         editor.wait_for_title("one.obj - Kerf")
 
+    def test_the_dialog_lists_the_folder_of_an_absolute_path_while_it_is_typed(self):
+        editor = self.open(SPHERE)
+        below = os.path.join(self.folder, "below")
+        os.makedirs(below)
+        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), os.path.join(below, "one.obj"))
+        editor.do("ctrl", "o")
+        editor.part("browser")
+        self.assertNotIn("entry one.obj", editor.landmarks()["parts"])
+        editor.type(below)
+        editor.part("entry one.obj")
+        editor.type("/on")
+        editor.part("entry one.obj")
+        editor.do("Return")
+        editor.wait_for_title("one.obj - Kerf")
+        editor.quit()
+
+    def test_a_failed_save_as_keeps_the_dialog_with_the_error(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        self.save_as(editor, os.path.join("missing", "ball.kerf"))
+        editor.settle()
+        editor.part("browser")
+        self.assertIn("missing", editor.ask("report")["message"])
+        editor.wait_for_title("sphere.json* - Kerf")
+        editor.type(os.path.join(self.folder, "ball.kerf"))
+        editor.do("Return")
+        editor.wait_for_title("ball.kerf - Kerf")
+        self.assertNotIn("browser", editor.landmarks()["parts"])
+        editor.quit()
+
     def test_a_valid_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
         self.open_by_browser(editor, SPHERE)

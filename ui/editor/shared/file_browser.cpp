@@ -78,8 +78,12 @@ void enter_folder(FileBrowser& b, const fs::path& folder) {
   if (opens(b)) set_name(b, "");
 }
 
+// Returns true if the typed text is a path from the root or from the home folder.
+bool is_absolute(const std::string& text) { return text.starts_with('/') || text.starts_with('~'); }
+
 std::vector<size_t> left_by_filter(const FileBrowser& b) {
-  const std::string filter = opens(b) ? b.name.data() : "";
+  std::string filter = opens(b) ? b.name.data() : "";
+  if (is_absolute(filter)) filter = b.rest_of_path;
   std::vector<size_t> left;
   for (size_t i = 0; i < b.entries.size(); ++i) {
     if (is_listed(b, b.entries[i]) && passes_filter(b.entries[i].name, filter)) left.push_back(i);
@@ -106,6 +110,20 @@ std::vector<fs::path> to_be_replaced(const FileBrowser& b, const fs::path& file)
   std::error_code error;
   std::erase_if(files, [&](const fs::path& f) { return !fs::exists(f, error); });
   return files;
+}
+
+// Lists the folder that an absolute path names while it is typed, or its parent filtered by the last name.
+void follow_typed_path(FileBrowser& b) {
+  if (!opens(b) || !is_absolute(b.name.data())) return;
+  const fs::path typed = typed_path(b).value_or("/");
+  std::error_code error;
+  const bool is_folder = fs::is_directory(typed, error);
+  const fs::path folder = is_folder && typed.has_filename() ? typed : typed.parent_path();
+  b.rest_of_path = is_folder ? "" : typed.filename().string();
+  if (is_folder) b.is_selected = false;  // Enter goes there
+  if (folder == b.folder || !fs::is_directory(folder, error)) return;
+  b.folder = folder;
+  b.entries = list_folder(folder, b.fault);
 }
 
 void select_file(FileBrowser& b, const fs::path& file) {
@@ -158,9 +176,12 @@ std::string type_name(const std::string& ending, bool is_only_type) {
 
 void accept(FileBrowser& b) {
   std::error_code error;
-  if (const auto typed = typed_path(b)) {
-    if (fs::is_directory(*typed, error)) return enter_folder(b, *typed);
-    return select_file(b, with_ending(*typed, b));
+  const std::optional<fs::path> typed = typed_path(b);
+  const bool in_list = typed && b.is_selected && !left_by_filter(b).empty() && is_absolute(b.name.data());
+  if (typed && (!opens(b) || !in_list || fs::is_regular_file(*typed, error))) {
+    if (!fs::is_directory(*typed, error)) return select_file(b, with_ending(*typed, b));
+    set_name(b, "");
+    return enter_folder(b, *typed);
   }
   if (!opens(b)) {
     if (b.name.front() != '\0') select_file(b, with_ending(b.folder / b.name.data(), b));
@@ -220,6 +241,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
                                         ImGuiSelectableFlags_AllowDoubleClick |
                                         ImGuiSelectableFlags_DontClosePopups;
   const bool clicked = ImGui::Selectable(label.c_str(), b.is_selected && b.cursor == place, kRow);
+  mark_last_item(("entry " + entry.name).c_str());
   const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (b.cursor == place && b.show_cursor) ImGui::SetScrollHereY();
   ImGui::PopID();
@@ -244,8 +266,8 @@ float preview_room(const FileBrowser& b) {
 std::optional<fs::path> file_at_cursor(const FileBrowser& b) {
   std::error_code error;
   if (const auto typed = typed_path(b)) {
-    const bool is_file = fs::is_regular_file(*typed, error) && can_be_opened(*typed);
-    return is_file ? typed : std::nullopt;
+    if (fs::is_regular_file(*typed, error) && can_be_opened(*typed)) return typed;
+    if (!is_absolute(b.name.data())) return std::nullopt;
   }
   const std::vector<size_t> left = left_by_filter(b);
   if (!b.is_selected || b.cursor >= left.size() || b.entries[left[b.cursor]].folder) return std::nullopt;
@@ -301,6 +323,7 @@ void draw_name(FileBrowser& b) {
     b.is_selected = b.name.front() != '\0';
     b.replace.clear();
     b.fault.clear();
+    follow_typed_path(b);
   }
   const FileBrowser::Keys keys = std::exchange(b.keys, {});
   if (keys.escape) b.open = false;

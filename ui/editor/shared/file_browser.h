@@ -79,6 +79,7 @@ struct FileBrowser {
   std::filesystem::path folder;
   std::vector<Entry> entries;     // of the folder: folders first, by name
   std::array<char, 1024> name{};  // a filter or path to open; the name to write
+  std::string rest_of_path;       // of an absolute path to open: its part below `folder`, which filters
   size_t cursor = 0;              // index into the filtered entries
   bool is_selected = false;       // the cursor was set by the filter, a key or a click: Enter takes it
   std::string fault;              // error of the folder or of writing

@@ -128,7 +128,8 @@ std::string shortened(std::string text, float room) {
 
 // The columns of numbers are as wide as their widest number; names get the rest.
 void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
-  float faces = width_of("Faces"), area = width_of("Area");
+  const float arrow = ImGui::GetFontSize();  // of the column that sorts
+  float faces = width_of("Faces") + arrow, area = width_of("Area") + arrow;
   size_t all_faces = 0;
   for (const PieceRow& row : rows) {
     all_faces += row.faces;
@@ -136,11 +137,29 @@ void set_up_columns(const std::vector<PieceRow>& rows, FileUnit unit) {
   }
   faces = std::max(faces, width_of(grouped(all_faces)));
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("Piece", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("Faces", ImGuiTableColumnFlags_WidthFixed, faces);
-  ImGui::TableSetupColumn("Area", ImGuiTableColumnFlags_WidthFixed, area);
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width_of_switches());
+  constexpr ImGuiTableColumnFlags kNumbers =
+      ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending;
+  const auto set_up = [](const char* name, ImGuiTableColumnFlags flags, float width, PieceColumn column) {
+    ImGui::TableSetupColumn(name, flags, width, static_cast<ImGuiID>(column));
+  };
+  set_up("Piece", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort, 0,
+         PieceColumn::kNumber);
+  set_up("Faces", kNumbers, faces, PieceColumn::kFaces);
+  set_up("Area", kNumbers, area, PieceColumn::kArea);
+  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort,
+                          width_of_switches());
   ImGui::TableHeadersRow();
+}
+
+// Sorts the pieces by the column whose header was clicked last; at first by number, so that rows stay in
+// place while pieces are cut.
+void sort_by_header(SortedPieces& sorted) {
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (specs == nullptr || specs->SpecsCount == 0) return;
+  const ImGuiTableColumnSortSpecs& by = specs->Specs[0];
+  for (std::vector<PieceRow>* rows : {&sorted.rest, &sorted.specks})
+    sort_pieces(*rows, static_cast<PieceColumn>(by.ColumnUserID),
+                by.SortDirection == ImGuiSortDirection_Descending);
 }
 
 void draw_statistics(size_t faces, double area, FileUnit unit) {
@@ -390,14 +409,15 @@ void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted,
 
 void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
                       const HideChosen& hide_selected) {
-  constexpr ImGuiTableFlags kList =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoPadOuterX;
-  const SortedPieces sorted = separate_specks(rows, specks(workspace.session.document));
+  constexpr ImGuiTableFlags kList = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                    ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_Sortable;
+  SortedPieces sorted = separate_specks(rows, specks(workspace.session.document));
   begin_asked_rename(sorted);
   const size_t count = rows_to_list(sorted, specks_unfolded_).size();
   const float height = height_of_rows(std::min(count, kRowsInSight) + 1);
   if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
   set_up_columns(rows, workspace.view.frame.unit);
+  sort_by_header(sorted);
   draw_rows(workspace, sorted, hide_selected);
   ImGui::EndTable();
 }

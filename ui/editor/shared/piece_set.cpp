@@ -68,6 +68,16 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   return rows;
 }
 
+void sort_pieces(std::vector<PieceRow>& rows, PieceColumn column, bool is_descending) {
+  std::ranges::sort(rows, [&](const PieceRow& left, const PieceRow& right) {
+    const PieceRow &a = is_descending ? right : left, &b = is_descending ? left : right;
+    if (column == PieceColumn::kFaces && a.faces != b.faces) return a.faces < b.faces;
+    if (column == PieceColumn::kArea && a.area != b.area) return a.area < b.area;
+    if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
+    return a.number != b.number ? a.number < b.number : a.id < b.id;
+  });
+}
+
 SortedPieces separate_specks(std::vector<PieceRow> rows, const std::set<PieceId>& specks) {
   const auto is_one = [&](const PieceRow& row) { return specks.contains(row.id); };
   SortedPieces sorted;

@@ -28,6 +28,10 @@ struct PieceRow {
 // separated, each in descending order of area. Parts have their names from the mesh file.
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});
 
+// The columns by which a list of pieces is sorted. By number, bodies precede pieces, and parts follow.
+enum class PieceColumn { kNumber, kFaces, kArea };
+void sort_pieces(std::vector<PieceRow>& rows, PieceColumn column, bool is_descending);
+
 // Splits a list of pieces into specks (see core/document/cut_effects.h) and the rest, keeping the order. A
 // single speck stays in the rest.
 struct SortedPieces {

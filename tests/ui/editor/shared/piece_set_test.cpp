@@ -119,6 +119,27 @@ TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {
                                           "wheel_rear_right", "steering_wheel"}));
 }
 
+TEST(PieceSet, is_sorted_by_number_faces_or_area) {
+  const auto row = [](uint32_t number, size_t faces, double area, bool part) {
+    return PieceRow{{{0, 0}, number + (part ? 100 : 0)}, part ? 0 : number, "", faces, area, false, part};
+  };
+  std::vector<PieceRow> rows{row(2, 5, 3, false), row(1, 9, 1, false), row(4, 7, 2, true),
+                             row(0, 1, 4, false)};
+  const auto labels = [&] {
+    std::vector<uint32_t> all;
+    for (const PieceRow& r : rows) all.push_back(r.id.label);
+    return all;
+  };
+  sort_pieces(rows, PieceColumn::kNumber, false);
+  EXPECT_EQ(labels(), (std::vector<uint32_t>{0, 1, 2, 104}));
+  sort_pieces(rows, PieceColumn::kFaces, true);
+  EXPECT_EQ(labels(), (std::vector<uint32_t>{1, 104, 2, 0}));
+  sort_pieces(rows, PieceColumn::kArea, false);
+  EXPECT_EQ(labels(), (std::vector<uint32_t>{1, 104, 2, 0}));
+  sort_pieces(rows, PieceColumn::kArea, true);
+  EXPECT_EQ(labels(), (std::vector<uint32_t>{0, 2, 104, 1}));
+}
+
 TEST(PieceSet, specks_are_grouped_but_a_single_one_stays_in_the_list) {
   const auto row = [](uint32_t label, size_t faces) {
     return PieceRow{{{0, 0}, label}, label, "piece " + std::to_string(label), faces, 1};

@@ -92,17 +92,31 @@ void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDra
   list.AddPolyline(corners.data(), 3, colours::kPictureText, ImDrawFlags_Closed, 1.5f);
 }
 
+bool meet(const Area& a, const Area& b) {
+  return a.at.x < b.at.x + b.size.x && b.at.x < a.at.x + a.size.x && a.at.y < b.at.y + b.size.y &&
+         b.at.y < a.at.y + a.size.y;
+}
+
+// Returns the first place around the pointer within the area where a box leaves `avoided` free, or else the
+// first one, moved into the area.
+Vec2 place_of_box(const Area& area, Vec2 pointer, Vec2 size, const Area& avoided) {
+  const Vec2 gap(1.4 * ImGui::GetFontSize()), low = pointer - gap - size, high = pointer + gap;
+  for (const Vec2& at : {high, Vec2(low.x, high.y), Vec2(high.x, low.y), low}) {
+    const bool is_within =
+        glm::max(at, area.at) == at && glm::min(at + size, area.at + area.size) == at + size;
+    if (is_within && !meet({at, size}, avoided)) return at;
+  }
+  return glm::max(glm::min(high, area.at + area.size - size), area.at);
+}
+
 // Draws the box next to the pointer, on the side where there is room.
-void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string>& lines, ImDrawList& list) {
+void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string>& lines, const Area& avoided,
+              ImDrawList& list) {
   const float em = ImGui::GetFontSize(), line = 1.25f * ImGui::GetTextLineHeight();
   Vec2 size(0, 1.2 * em + line * static_cast<float>(lines.size()));
   for (const std::string& text : lines)
     size.x = std::max<double>(size.x, ImGui::CalcTextSize(text.c_str()).x + 1.6 * em);
-  const Area& area = view.layout.first;
-  Vec2 at = pointer + Vec2(1.4 * em);
-  if (at.x + size.x > area.at.x + area.size.x) at.x = pointer.x - 1.4 * em - size.x;
-  if (at.y + size.y > area.at.y + area.size.y) at.y = pointer.y - 1.4 * em - size.y;
-  at = glm::max(at, area.at);
+  const Vec2 at = place_of_box(view.layout.first, pointer, size, avoided);
   list.AddRectFilled(to_im(at), to_im(at + size), IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
   for (size_t i = 0; i < lines.size(); ++i) {
     const ImVec2 text(static_cast<float>(at.x) + 0.8f * em,
@@ -112,8 +126,9 @@ void draw_box(const ViewState& view, Vec2 pointer, const std::vector<std::string
   mark_area("face readout", {at, size});
 }
 
-// Draws the edges of the face under the pointer, and its facts in a box next to the pointer.
-void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
+// Draws the edges of the face under the pointer, and its facts in a box next to the pointer that leaves
+// `avoided` free.
+void draw_face_readout(const Workspace& workspace, const Area& avoided, ImDrawList& list) {
   const ViewState& view = workspace.view;
   if (!workspace.input.points() || view.in_second) return;
   const Vec2 p = view.in_picture(workspace.input.pointer);
@@ -122,7 +137,7 @@ void draw_face_readout(const Workspace& workspace, ImDrawList& list) {
   const Body& body = workspace.world().body(seen->body);
   draw_edges(view, body, *seen, list);
   draw_box(view, workspace.input.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit),
-           list);
+           avoided, list);
 }
 
 // The values that clicks measure; kAll states the distance of two points and the rest with a third.
@@ -182,22 +197,27 @@ class InspectFeature : public Feature {
       draw_distance(workspace_.view, measured_[i - 1], measured_[i],
                     length_label(length, workspace_.view.frame.unit), list);
     }
+    if (inspects()) draw_face_readout(workspace_, corner_label(), list);
     if (inspects() && measured_.size() == 3) draw_corner(list);
-    if (inspects()) draw_face_readout(workspace_, list);
     draw_heat_probe(probe_, workspace_.view.layout.first);
   }
 
  private:
-  // Draws the angle and the radius next to the middle point.
-  void draw_corner(ImDrawList& list) const {
+  // The box of the angle and the radius, next to the middle point; empty without three points.
+  Area corner_label() const {
+    if (measured_.size() < 3) return {};
     const auto place = PrimaryViewport(workspace_.view).place_of(measured_[1]);
-    if (!place) return;
-    const float em = ImGui::GetFontSize();
-    const std::string text = corner_text();
-    const ImVec2 at = to_im(*place + Vec2(em, 0.5 * em)), size = ImGui::CalcTextSize(text.c_str());
-    list.AddRectFilled({at.x - 0.5f * em, at.y - 0.25f * em}, {at.x + size.x + 0.5f * em, at.y + 1.3f * em},
-                       IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
-    list.AddText(at, colours::kPictureText, text.c_str());
+    if (!place) return {};
+    const double em = ImGui::GetFontSize();
+    return {*place + Vec2(0.5, 0.25) * em, {ImGui::CalcTextSize(corner_text().c_str()).x + em, 1.55 * em}};
+  }
+  void draw_corner(ImDrawList& list) const {
+    const Area box = corner_label();
+    if (box.size.x == 0) return;
+    list.AddRectFilled(to_im(box.at), to_im(box.at + box.size), IM_COL32(0x1b, 0x1f, 0x26, 230), 3);
+    list.AddText(to_im(box.at + Vec2(0.5, 0.25) * double(ImGui::GetFontSize())), colours::kPictureText,
+                 corner_text().c_str());
+    mark_area("measured corner", box);
   }
   bool inspects() const { return workspace_.input.tool == kInspectTool; }
   size_t clicks() const { return kind_ == MeasuredKind::kDistance ? 2 : 3; }

@@ -11,10 +11,12 @@ namespace kerf {
 namespace colours {
 inline ImU32 text() { return ImGui::GetColorU32(ImGuiCol_Text); }
 inline ImU32 secondary() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }
+// Of a box of text in the viewport, whose contents show through.
+inline ImU32 shade() { return ImGui::GetColorU32(ImGuiCol_WindowBg, 0.7f); }
 inline ImU32 accent() { return ImGui::GetColorU32(ImGuiCol_NavHighlight); }
 
-// Colours of marks in the viewport, in every theme. Text is drawn on the shade, to be legible on a bright
-// background.
+// Colours of marks at surfaces in the viewport, in every theme. Text is drawn on the shade, to be legible on
+// a bright background.
 inline constexpr ImU32 kPictureText = IM_COL32(0xe6, 0xe9, 0xee, 255);
 inline constexpr ImU32 kPictureSecondary = IM_COL32(0x9a, 0xa6, 0xb6, 255);
 inline constexpr ImU32 kPictureShade = IM_COL32(0x1b, 0x1f, 0x26, 165);

@@ -149,11 +149,11 @@ void draw_hints(const Area& box) {
   const float em = ImGui::GetFontSize();
   const auto left = static_cast<float>(box.at.x), top = static_cast<float>(box.at.y);
   const auto width = static_cast<float>(box.size.x), height = static_cast<float>(box.size.y);
-  list.AddRectFilled({left, top}, {left + width, top + height}, colours::kPictureShade, 3);
+  list.AddRectFilled({left, top}, {left + width, top + height}, colours::shade(), 3);
   float y = top + 0.65f * em;
   for (size_t i = 0; i < kHints.size(); ++i) {
     const float x = left + 0.5f * (width - ImGui::CalcTextSize(kHints[i]).x);
-    list.AddText({x, y}, i == 0 ? colours::kPictureText : colours::kPictureSecondary, kHints[i]);
+    list.AddText({x, y}, i == 0 ? colours::text() : colours::secondary(), kHints[i]);
     y += ImGui::GetTextLineHeightWithSpacing();
   }
 }
@@ -728,7 +728,8 @@ void draw_hint_box(const World& world, const ViewState& view, const Area& taken)
   if (!corners) return;
   const auto is_free = [&](const Area& area) {
     return !meets_hull(area, *corners) && !meets_hull(area, corners_of(taken)) &&
-           !meets_hull(area, corners_of(view.header)) && !hides_axes(view, area);
+           !meets_hull(area, corners_of(view.header)) && !meets_hull(area, corners_of(view.toolbar)) &&
+           !hides_axes(view, area);
   };
   const auto place = free_place(picture, size_of_hints(), 1.2 * ImGui::GetFontSize(), is_free);
   if (!place) return;

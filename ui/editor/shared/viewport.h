@@ -23,8 +23,8 @@ struct ViewState {
   std::optional<View> home;     // initial view, from the scene
   double spread = 0;            // displacement of pieces over their distance from the centre of the world
   Layout layout;
-  Area header;                                   // the part that the options of the tool cover; may be empty
-  Area legends;                                  // the part of the viewport that legends cover
+  Area header, toolbar;  // the parts that the options of the tool and the tools cover; may be empty
+  Area legends;          // the part of the viewport that legends cover
   std::map<std::string, std::string> shortcuts;  // bound chords by action
   const World* second_world = nullptr;           // in the right half of a split view; null: not split
   bool in_second = false;   // the pointer is in the right half of a split view, or its drag began there

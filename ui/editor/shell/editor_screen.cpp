@@ -439,9 +439,11 @@ void EditorScreen::draw_panels() {
   draw_menu_bar(catalogue_.actions);
   draw_context_menu(catalogue_.actions, std::exchange(workspace_.input.asks_for_menu, false),
                     selected_count(workspace_.view.look.pieces) > 0);
-  workspace_.view.header = {};
-  if (workspace_.settings.toolbar_shown)
+  workspace_.view.header = workspace_.view.toolbar = {};
+  if (workspace_.settings.toolbar_shown) {
     workspace_.view.header = header_.draw(layout, workspace_.input.tool, catalogue_.actions);
+    workspace_.view.toolbar = toolbar_area(layout.viewport);
+  }
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(to_im(layout.viewport.at), to_im(layout.viewport.at + layout.viewport.size));
   workspace_.services.badges.begin_frame();

@@ -1,5 +1,6 @@
 #include "ui/editor/shell/toolbar.h"
 
+#include <algorithm>
 #include <array>
 
 #include "ui/editor/shell/catalogue.h"
@@ -21,7 +22,7 @@ constexpr std::array kTools{
     Tool{"tool.pick", Icon::kPointer, true}, Tool{"pieces.move", Icon::kMove},
     Tool{"pieces.rotate", Icon::kRotate},    Tool{"tool.inspect", Icon::kCallipers, true},
     Tool{"tool.ruler", Icon::kRuler},        Tool{"view.section", Icon::kSection}};
-constexpr float kButtonEms = 2.1f, kGapEms = 0.5f;
+constexpr float kButtonEms = 2.1f, kGapEms = 0.5f, kPaddingEms = 0.25f;
 
 std::string tip_of(const UserAction& action) {
   std::string tip = action.name;
@@ -57,14 +58,22 @@ std::optional<Icon> icon_of_tool(const std::string& action) {
   return std::nullopt;
 }
 
+Area toolbar_area(const Area& viewport) {
+  const double em = ImGui::GetFontSize();
+  const auto groups = std::ranges::count_if(kTools, [](const Tool& tool) { return tool.begins_group; });
+  const Vec2 size =
+      em * Vec2(kButtonEms + 2 * kPaddingEms,
+                kTools.size() * kButtonEms + static_cast<double>(groups) * kGapEms + 2 * kPaddingEms);
+  if (viewport.size.y < size.y + 8.5 * em) return {viewport.at, Vec2(0)};
+  return {viewport.at + Vec2(kGapEms * em, 0.5 * (viewport.size.y - size.y)), size};
+}
+
 void draw_toolbar(const Area& viewport, std::span<const UserAction> actions) {
+  const Area area = toolbar_area(viewport);
+  if (area.size.x == 0) return;
   const float em = ImGui::GetFontSize();
-  const float height = (kTools.size() * kButtonEms + 4 * kGapEms) * em;
-  if (viewport.size.y < height + 8 * em) return;
-  ImGui::SetNextWindowPos({static_cast<float>(viewport.at.x) + kGapEms * em,
-                           static_cast<float>(viewport.at.y + 0.5 * viewport.size.y)},
-                          ImGuiCond_Always, {0, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.25f * em, 0.25f * em});
+  ImGui::SetNextWindowPos(to_im(area.at));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPaddingEms * em, kPaddingEms * em});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 4);
   if (ImGui::Begin("##toolbar", nullptr, kOverlayBar)) {

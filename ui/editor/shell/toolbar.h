@@ -20,8 +20,11 @@ inline constexpr ImGuiWindowFlags kOverlayBar =
 // Returns the icon of an action of the toolbar; nullopt if it has none there.
 std::optional<Icon> icon_of_tool(const std::string& action);
 
-// Draws the tools as icons at the left edge of the viewport, the active one lit; each is a landmark by the
-// id of its action. Hovering shows name, key and purpose. Omitted if the viewport is too low.
+// Returns the area of the toolbar at the left edge of the viewport; empty if the viewport is too low for it.
+Area toolbar_area(const Area& viewport);
+
+// Draws the tools as icons in that area, the active one lit; each is a landmark by the id of its action.
+// Hovering shows name, key and purpose.
 void draw_toolbar(const Area& viewport, std::span<const UserAction> actions);
 
 }  // namespace kerf

@@ -203,14 +203,13 @@ float width_of(const Legend& legend, float swatch) {
 
 void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list) {
   const float em = ImGui::GetFontSize(), line = 1.2f * em, side = 0.8f * em;
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, colours::kPictureShade, 3);
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, colours::shade(), 3);
   ImVec2 pen{at.x + 0.6f * em, at.y + 0.5f * em};
-  list.AddText(pen, colours::kPictureText, legend.title.c_str());
+  list.AddText(pen, colours::text(), legend.title.c_str());
   for (const Legend::Row& row : legend.rows) {
     pen.y += line;
     if (row.swatch) draw_swatch(row, {pen.x, pen.y + 0.5f * (ImGui::GetTextLineHeight() - side)}, side, list);
-    list.AddText({pen.x + (row.swatch ? 1.4f * em : 0), pen.y}, colours::kPictureSecondary,
-                 row.meaning.c_str());
+    list.AddText({pen.x + (row.swatch ? 1.4f * em : 0), pen.y}, colours::secondary(), row.meaning.c_str());
   }
 }
 
@@ -324,6 +323,12 @@ Area under_label(const Layout& l) {
   return {l.first.at + label, l.first.size - label};
 }
 
+Area right_of_toolbar(const ViewState& view, const Area& area) {
+  if (view.toolbar.size.x == 0) return area;
+  const Vec2 covered(view.toolbar.at.x + view.toolbar.size.x - area.at.x - 0.5 * ImGui::GetFontSize(), 0);
+  return {area.at + covered, area.size - covered};
+}
+
 // Draws the ground as a line if the view sees it edge-on, where its plane is invisible.
 void draw_ground_line(const ViewState& view, const World& world, ImDrawList& list) {
   const PrimaryViewport picture(view);
@@ -372,10 +377,10 @@ class ViewFeature : public Feature {
   void draw_overlay(ImDrawList& list) override {
     draw_ground_line(workspace_.view, workspace_.world(), list);
     draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
-    workspace_.view.legends =
-        draw_legends(legends_of(workspace_.view.look, workspace_.services.statistics.shadows),
-                     workspace_.view.layout.split() ? under_label(workspace_.view.layout)
-                                                    : workspace_.view.below_header());
+    workspace_.view.legends = draw_legends(
+        legends_of(workspace_.view.look, workspace_.services.statistics.shadows),
+        right_of_toolbar(workspace_.view, workspace_.view.layout.split() ? under_label(workspace_.view.layout)
+                                                                         : workspace_.view.below_header()));
   }
   void add_landmarks(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});

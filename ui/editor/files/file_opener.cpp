@@ -169,7 +169,7 @@ void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
 }
 constexpr double kShowWindowAfter = 0.2;  // s, after the start, until the window shows something
 
-constexpr float kUnderAxes = 9.6f;  // sizes of the text
+constexpr double kUnderAxes = 9.6;  // sizes of the text
 constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
@@ -241,6 +241,16 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
   }
   mark_last_item("frame for this");
   tooltip("Other files of this kind are detected by size. The File panel changes them.");
+}
+
+// Moves the current window to the right border of the viewport: under the axes, or higher if it needs the
+// room.
+void place_under_axes(const Area& viewport) {
+  const double em = ImGui::GetFontSize();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const Vec2 lowest = viewport.at + viewport.size - Vec2(size.x, size.y);
+  const Vec2 wanted(lowest.x - 0.8 * em, viewport.at.y + kUnderAxes * em);
+  ImGui::SetWindowPos(to_im(glm::max(glm::min(wanted, lowest), viewport.at)));
 }
 
 }  // namespace
@@ -652,12 +662,14 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
 void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once) {
   if (cut_once) view.frame_asked_for.clear();
   if (view.frame_asked_for.empty() || view.layout.split()) return;
-  const float em = ImGui::GetFontSize();
   const Area& area = view.layout.viewport;
-  const auto right = static_cast<float>(area.at.x + area.size.x), top = static_cast<float>(area.at.y);
-  ImGui::SetNextWindowPos({right - 0.8f * em, top + kUnderAxes * em}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, to_im(area.size));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
-  if (ImGui::Begin("##frame", nullptr, kBar)) draw_rows(size, view, settings);
+  if (ImGui::Begin("##frame", nullptr, kBar)) {
+    draw_rows(size, view, settings);
+    place_under_axes(area);
+  }
+  mark_window("frame question");
   ImGui::End();
   ImGui::PopStyleVar();
 }

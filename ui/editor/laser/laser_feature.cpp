@@ -11,6 +11,7 @@
 #include "core/base/json.h"
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/laser/resolution_chart.h"
+#include "ui/editor/laser/stroke_recut.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/file_frames.h"
@@ -227,34 +228,6 @@ class DrawnStroke : public Interaction {
   StraightLine line_;
 };
 
-// Returns the group that the history ends with if it consists of strokes, otherwise null.
-const StepGroups::Group* group_of_strokes(const UndoStack& history, const StepGroups& groups) {
-  const StepGroups::Group* group = groups.at(history.position(), true);
-  if (group == nullptr) return nullptr;
-  for (size_t i = group->from; i < group->to; ++i) {
-    if (!history.cuts(i)) return nullptr;
-  }
-  return group;
-}
-
-const char* recut_disabled_reason(const Document& document, const StepGroups& groups) {
-  const UndoStack& history = document.history();
-  if (!history.last_cut()) return "No cut yet.";
-  if (document.queue().in_stroke()) return "Finish or cancel the current cut first.";
-  const StepGroups::Group* group = group_of_strokes(history, groups);
-  const bool is_kept = group == nullptr || history.holds_images(group->from, group->to);
-  return is_kept && can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
-}
-
-// Returns true if all strokes from .. to - 1 have the same beam radius.
-bool share_radius(const UndoStack& history, size_t from, size_t to) {
-  const double radius = history.settings_of(from).laser.radius;
-  for (size_t i = from + 1; i < to; ++i) {
-    if (history.settings_of(i).laser.radius != radius) return false;
-  }
-  return true;
-}
-
 std::string smallest_angle_text(double largest_cosine) {
   if (largest_cosine < 0) return "none remain";
   return text_of("%.1f\u00b0", std::acos(largest_cosine) * 180 / kPi);
@@ -277,22 +250,22 @@ class LaserFeature : public Feature {
   std::vector<PanelPart> panel_parts() override {
     return {{"laser.beam",
              [this] {
-               if (draw_laser_panel(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
+               if (draw_laser_panel(workspace_.laser, workspace_.view.frame.unit)) recut_.request_live(true);
              }},
             {"resolution.cut", [this] { draw_resolution(); }}};
   }
   std::vector<ToolOption> tool_options() override {
     return {{"laser.radius", 9,
              [this] {
-               if (radius_row(workspace_.laser, workspace_.view.frame.unit)) cut_again_live(true);
+               if (radius_row(workspace_.laser, workspace_.view.frame.unit)) recut_.request_live(true);
              }},
             {"laser.size", 9,
              [this] {
                const ShownRadius radius{workspace_.laser.radius, workspace_.view.frame.unit};
-               if (resolution_size_row(workspace_.laser.resolution, radius)) cut_again_live(false);
+               if (resolution_size_row(workspace_.laser.resolution, radius)) recut_.request_live(false);
              }},
             {"laser.rim", 6, [this] {
-               if (rim_row(workspace_.laser.resolution)) cut_again_live(false);
+               if (rim_row(workspace_.laser.resolution)) recut_.request_live(false);
              }}};
   }
   std::vector<UserAction> actions() override {
@@ -329,10 +302,7 @@ class LaserFeature : public Feature {
   void update(double) override {
     if (workspace_.beam.cutting()) workspace_.view.picture_old = true;
     if (workspace_.changes.is_pending()) return;
-    if (group_recut_waits_ && !ImGui::IsAnyItemActive()) {
-      group_recut_waits_ = false;
-      request_recut(false);
-    }
+    recut_.update();
     workspace_.beam.follow_time(workspace_.session.document, workspace_.links.plays);
     workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
@@ -353,7 +323,7 @@ class LaserFeature : public Feature {
   }
   bool needs_redraw() const override {
     return chart_.busy() || sparks_.moving() || workspace_.changes.can_cut() || workspace_.beam.emits() ||
-           group_recut_waits_;
+           recut_.waits();
   }
   void on_document_opened() override {
     workspace_.beam = LaserTool();
@@ -385,9 +355,9 @@ class LaserFeature : public Feature {
     const bool changed =
         resolution_rows(workspace_.laser.resolution, {workspace_.laser.radius, workspace_.view.frame.unit});
     property("Last Cut");
-    const char* disabled_reason = recut_disabled_reason();
+    const char* disabled_reason = recut_.disabled_reason();
     ImGui::BeginDisabled(disabled_reason != nullptr);
-    if (ImGui::Button("Recompute", {-1, 0})) request_recut(false);
+    if (ImGui::Button("Recompute", {-1, 0})) recut_.request(false);
     ImGui::EndDisabled();
     const std::string meaning =
         with_shortcut(workspace_.view, "Recuts the last stroke at this resolution.", "laser.recut");
@@ -395,7 +365,7 @@ class LaserFeature : public Feature {
     property("");
     ImGui::Checkbox("Live Update", &workspace_.settings.live_recut);
     tooltip("Recuts the last stroke while a slider above, or that of the radius, moves.");
-    if (changed) cut_again_live(false);
+    if (changed) recut_.request_live(false);
     figure_row("Faces", grouped(workspace_.services.statistics.shown.faces), "Current faces of all bodies.");
     stroke_rows(workspace_.services.statistics.shown.stroke, workspace_.view.frame.unit);
     end_properties();
@@ -413,7 +383,7 @@ class LaserFeature : public Feature {
     if (!fraction) return;
     workspace_.laser.resolution.rule = Resolution::Rule::kTargetEdge;
     workspace_.laser.resolution.edge_fraction = *fraction;
-    request_recut(false);
+    recut_.request(false);
   }
   // Draws a ring with the width of the cut at the pointer.
   void draw_ring(ImDrawList& list) const {
@@ -466,8 +436,8 @@ class LaserFeature : public Feature {
   }
   UserAction recut_action() {
     return make_action("laser.recut", "Recompute Last Cut", "R",
-                       "Recuts the last stroke at the current resolution.", [this] { request_recut(false); },
-                       {.disabled_reason = [this] { return recut_disabled_reason(); }});
+                       "Recuts the last stroke at the current resolution.", [this] { recut_.request(false); },
+                       {.disabled_reason = [this] { return recut_.disabled_reason(); }});
   }
   std::vector<UserAction> laser_actions() {
     using Rule = Resolution::Rule;
@@ -475,7 +445,7 @@ class LaserFeature : public Feature {
     ResolutionControls& resolution = workspace_.laser.resolution;
     bool& live = workspace_.settings.live_recut;
     const auto choice = [this](const char* id, const char* name, auto& value, auto set, const char* tip) {
-      return setting_action(id, name, tip, value, set, [this] { cut_again_live(false); });
+      return setting_action(id, name, tip, value, set, [this] { recut_.request_live(false); });
     };
     return {
         radius_action("laser.wider", "Wider Beam", kRadiusStep),
@@ -513,7 +483,7 @@ class LaserFeature : public Feature {
           LaserControls& laser = workspace_.laser;
           laser.radius = std::clamp(laser.radius * factor, laser.default_radius / LaserControls::kRadiusSpan,
                                     laser.default_radius * LaserControls::kRadiusSpan);
-          cut_again_live(true);
+          recut_.request_live(true);
         });
   }
   UserAction finer_action(const char* id, const char* name, int steps) {
@@ -521,63 +491,10 @@ class LaserFeature : public Feature {
                        "Halves or doubles the edge length along the cut, or changes the depth by one.",
                        [this, steps] {
                          make_finer(workspace_.laser.resolution, steps);
-                         cut_again_live(false);
+                         recut_.request_live(false);
                        });
   }
 
-  void cut_again_live(bool radius) {
-    if (!workspace_.settings.live_recut || recut_disabled_reason() != nullptr) return;
-    if (group_of_strokes(workspace_.session.document.history(), workspace_.changes.groups()) == nullptr)
-      return request_recut(radius);
-    group_recut_waits_ = true;
-    recut_radius_ = recut_radius_ || radius;
-  }
-  const char* recut_disabled_reason() const {
-    return kerf::recut_disabled_reason(workspace_.session.document, workspace_.changes.groups());
-  }
-  void request_recut(bool radius) {
-    recut_radius_ = recut_radius_ || radius;
-    workspace_.changes.enqueue("Recut", [this] { recut(std::exchange(recut_radius_, false)); });
-  }
-  // Undoes the last stroke and queues it again at the current resolution and, with `radius`, the current
-  // radius; its other settings stay. Consecutive recuts share one history entry.
-  void recut(bool radius) {
-    if (recut_disabled_reason() != nullptr) return;
-    const Document& document = workspace_.session.document;
-    const StepGroups::Group* group = group_of_strokes(document.history(), workspace_.changes.groups());
-    if (group != nullptr) return recut_group(*group, radius);
-    CutSettings settings = document.history().last_settings();
-    set_resolution(settings, radius);
-    std::vector<Command> commands;
-    const HistoryStep& last = document.history().last();
-    const bool again = last.kind() == HistoryStep::Kind::kRecut;
-    if (again) commands.emplace_back(Undo{});
-    commands.emplace_back(Recut{settings});
-    // Queue the time again that had passed after the undone recut.
-    if (again) commands.insert(commands.end(), last.commands().begin() + 1, last.commands().end());
-    workspace_.changes.change("Recut", true, apply_all(std::move(commands)));
-    ++workspace_.services.statistics.recuts;
-  }
-  // Undoes the strokes of a group and queues them again as a group that replaces it. Uses the current radius
-  // only if the strokes share one.
-  void recut_group(const StepGroups::Group& group, bool radius) {
-    const Document& document = workspace_.session.document;
-    const auto [from, to, name] = group;
-    radius = radius && share_radius(document.history(), from, to);
-    std::vector<Command> commands(to - from, Undo{});
-    for (size_t i = from; i < to; ++i) {
-      std::vector<Command> stroke = document.history().commands_of(i);
-      set_resolution(std::get<BeginStroke>(stroke.front()).settings, radius);
-      commands.insert(commands.end(), stroke.begin(), stroke.end());
-    }
-    workspace_.changes.change("Recut", true, apply_all(std::move(commands)));
-    workspace_.changes.groups().add(from, document, name);
-    ++workspace_.services.statistics.recuts;
-  }
-  void set_resolution(CutSettings& settings, bool radius) const {
-    if (radius) settings.laser.radius = workspace_.laser.radius;
-    settings.resolution = workspace_.laser.resolution.of(settings.laser.radius);
-  }
   // Ends the current stroke at the beam, and drops the strokes queued after it.
   void stop_cutting() {
     cancel_stroke(workspace_);
@@ -591,8 +508,7 @@ class LaserFeature : public Feature {
   ResolutionChart chart_;
   BeamSparks sparks_;
   WaitingStrokes waiting_;
-  bool recut_radius_ = false;       // the requested recut also uses the current radius
-  bool group_recut_waits_ = false;  // until the mouse button is released
+  StrokeRecut recut_{workspace_};
 };
 
 // Input

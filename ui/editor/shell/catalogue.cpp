@@ -556,17 +556,50 @@ void Catalogue::bind(const Settings& settings, std::map<std::string, std::string
   for (const UserAction& action : actions) shortcuts.emplace(action.id, action.shortcut);
 }
 
-void draw_menu_bar(std::span<const UserAction> actions) {
-  if (!ImGui::BeginMainMenuBar()) return;
+static std::vector<std::span<const UserAction>> menus_of(std::span<const UserAction> actions) {
+  std::vector<std::span<const UserAction>> menus;
   for (size_t first = 0; first < actions.size();) {
     size_t end = first;
     while (end < actions.size() && std::string_view(actions[end].menu) == actions[first].menu) ++end;
     const std::span<const UserAction> menu = actions.subspan(first, end - first);
-    if (has_menu(menu) && ImGui::BeginMenu(menu.front().menu)) {
-      draw_menu(menu);
-      ImGui::EndMenu();
-    }
+    if (has_menu(menu)) menus.push_back(menu);
     first = end;
+  }
+  return menus;
+}
+
+// Returns how many menus the menu bar has room for, next to the one for the others if not all of them fit.
+static size_t fitting_menus(std::span<const std::span<const UserAction>> menus, const char* others) {
+  const auto width = [](const char* title) {
+    return ImGui::CalcTextSize(title).x + 2 * ImGui::GetStyle().ItemSpacing.x;
+  };
+  float used = 0, room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX();
+  for (const auto& menu : menus) used += width(menu.front().menu);
+  if (used <= room) return menus.size();
+  room -= width(others);
+  size_t count = 0;
+  for (used = 0; count < menus.size(); ++count) {
+    used += width(menus[count].front().menu);
+    if (used > room) break;
+  }
+  return count;
+}
+
+static void draw_titled_menu(std::span<const UserAction> menu) {
+  if (!ImGui::BeginMenu(menu.front().menu)) return;
+  draw_menu(menu);
+  ImGui::EndMenu();
+}
+
+void draw_menu_bar(std::span<const UserAction> actions) {
+  constexpr const char* kOthers = "More";
+  if (!ImGui::BeginMainMenuBar()) return;
+  const std::vector<std::span<const UserAction>> menus = menus_of(actions);
+  const size_t fitting = fitting_menus(menus, kOthers);
+  for (size_t i = 0; i < fitting; ++i) draw_titled_menu(menus[i]);
+  if (fitting < menus.size() && ImGui::BeginMenu(kOthers)) {
+    for (size_t i = fitting; i < menus.size(); ++i) draw_titled_menu(menus[i]);
+    ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
 }

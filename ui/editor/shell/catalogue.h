@@ -116,7 +116,8 @@ struct Catalogue {
   std::map<std::string, std::string> bound_;
 };
 
-// Draws the menus of a list of actions, in which those of one menu are contiguous.
+// Draws the menus of a list of actions, in which those of one menu are contiguous. Menus for which the bar
+// has no room are in a last one, More.
 void draw_menu_bar(std::span<const UserAction> actions);
 
 // Draws the context menu while it is open, and opens it at the pointer if `opens`. Its content depends on

@@ -244,12 +244,14 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
 }
 
 // Moves the current window to the right border of the viewport: under the axes, or higher if it needs the
-// room.
-void place_under_axes(const Area& viewport) {
+// room. In a narrow viewport, where it would cover the middle, it lies at the upper border, left of the axes.
+void place_next_to_axes(const Area& viewport) {
   const double em = ImGui::GetFontSize();
   const ImVec2 size = ImGui::GetWindowSize();
   const Vec2 lowest = viewport.at + viewport.size - Vec2(size.x, size.y);
-  const Vec2 wanted(lowest.x - 0.8 * em, viewport.at.y + kUnderAxes * em);
+  const bool is_narrow = size.x > 0.5 * viewport.size.x;
+  const Vec2 wanted =
+      is_narrow ? viewport.at + Vec2(0.4 * em) : Vec2(lowest.x - 0.8 * em, viewport.at.y + kUnderAxes * em);
   ImGui::SetWindowPos(to_im(glm::max(glm::min(wanted, lowest), viewport.at)));
 }
 
@@ -667,7 +669,7 @@ void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
   if (ImGui::Begin("##frame", nullptr, kBar)) {
     draw_rows(size, view, settings);
-    place_under_axes(area);
+    place_next_to_axes(area);
   }
   mark_window("frame question");
   ImGui::End();

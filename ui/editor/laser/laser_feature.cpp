@@ -339,7 +339,7 @@ class LaserFeature : public Feature {
     waiting_.draw(workspace_.view, list);
     const bool knows_how = workspace_.links.cut_once || workspace_.session.document.history().last_cut();
     if (!workspace_.view.look.stage && !knows_how && workspace_.input.tool == kLaserTool &&
-        !workspace_.opening.loader.busy())
+        !workspace_.opening.loader.busy() && workspace_.view.frame_asked_for.empty())
       draw_hint_box(workspace_.world(), workspace_.view, workspace_.view.legends);
   }
 

@@ -60,7 +60,9 @@ FrameChoice select_frame(const SceneDescription& scene, bool is_mesh_file, const
   if (known != settings.frames.end() && known->second) return {*known->second};
   const bool sound = is_finite(bounds.min) && is_finite(bounds.max) && bounds.diagonal() > 0;
   const FileFrame guess = sound ? guess_frame(*mesh_format(kind), bounds.min, bounds.max) : FileFrame();
-  return {guess, known == settings.frames.end()};
+  // A glTF file is in metres with +Y up by its specification.
+  const bool is_certain = guess.is_default() && (kind == "glb" || kind == "gltf");
+  return {guess, known == settings.frames.end() && !is_certain};
 }
 
 void record_frame(SceneDescription& scene, const FileFrame& frame) {

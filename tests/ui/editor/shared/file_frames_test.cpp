@@ -29,6 +29,11 @@ TEST(FileFrames, are_guessed_for_a_mesh_file_and_confirmed_once_per_format) {
   settings.frames["stl"] = kInchZ;
   EXPECT_EQ(select_frame(scene_of("part.stl"), true, kPart, settings).frame, kInchZ);
   EXPECT_TRUE(select_frame(scene_of("part.obj"), true, kPart, settings).ask);
+
+  const World::Bounds small{{-1, 0, -1}, {1, 1, 1}};
+  EXPECT_TRUE(select_frame(scene_of("part.obj"), true, small, settings).ask);
+  EXPECT_FALSE(select_frame(scene_of("part.glb"), true, small, settings).ask) << "glTF states metres";
+  EXPECT_TRUE(select_frame(scene_of("part.glb"), true, kPart, settings).ask) << "it would be a lorry";
 }
 
 TEST(FileFrames, of_scenes_default_to_metres_and_y_up) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/base/assert.h"
 #include "ui/editor/shared/command_labels.h"
@@ -50,6 +51,21 @@ std::string text_of_sample(const ResolutionChart::Sample& sample, double radius,
                      count_text(sample.faces, "face") + " created";
   if (sample.error) text += ", error " + length_label(*sample.error, unit);
   return text + text_of(", %.0f ms. Click to use.", 1000 * sample.seconds);
+}
+
+// "Rim Error 0.2 mm to 3 mm", or the range of times if there are no errors.
+std::string range_of_heights(std::span<const ResolutionChart::Sample> samples, FileUnit unit) {
+  const auto [low, high] = std::ranges::minmax(
+      samples, {}, [](const ResolutionChart::Sample& s) { return s.error.value_or(s.seconds); });
+  if (!samples.front().error)
+    return text_of("Time %.0f to ", 1000 * low.seconds) + text_of("%.0f ms", 1000 * high.seconds);
+  return "Rim Error " + length_label(low.error.value_or(0), unit) + " to " +
+         length_label(high.error.value_or(0), unit);
+}
+
+std::string range_of_faces(std::span<const ResolutionChart::Sample> samples) {
+  const auto [low, high] = std::ranges::minmax(samples, {}, &ResolutionChart::Sample::faces);
+  return grouped(low.faces) + " to " + count_text(high.faces, "face") + " created";
 }
 
 // A logarithmic axis over the range of some positive values.
@@ -161,11 +177,12 @@ std::optional<double> ResolutionChart::draw(double radius, FileUnit unit) const 
   for (size_t i = 0; i < places.size(); ++i)
     list.AddCircleFilled(places[i], nearest == i ? 5.0f : 3.5f,
                          nearest == i ? colours::accent() : colours::text());
-  const bool has_errors = samples_.front().error.has_value();
-  list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(), has_errors ? "Rim Error" : "Time");
-  const char* right = "Faces Created";
-  list.AddText({at.x + width - ImGui::CalcTextSize(right).x - 0.4f * em, at.y + (kHeightEms - 1.3f) * em},
-               colours::secondary(), right);
+  list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(),
+               range_of_heights(samples_, unit).c_str());
+  const std::string right = range_of_faces(samples_);
+  list.AddText(
+      {at.x + width - ImGui::CalcTextSize(right.c_str()).x - 0.4f * em, at.y + (kHeightEms - 1.3f) * em},
+      colours::secondary(), right.c_str());
   if (!nearest) return std::nullopt;
   ImGui::SetTooltip("%s", text_of_sample(samples_[*nearest], radius, unit).c_str());
   return clicked ? std::optional(samples_[*nearest].fraction) : std::nullopt;

@@ -76,7 +76,7 @@ void set_colours(ImGuiStyle& style, const GuiLook& look) {
   for (const ImGuiCol i : {ImGuiCol_WindowBg, ImGuiCol_MenuBarBg, ImGuiCol_ScrollbarBg, ImGuiCol_TitleBg,
                            ImGuiCol_TitleBgActive})
     set(i, c.panel);
-  set(ImGuiCol_PopupBg, c.panel, 0.98f);
+  set(ImGuiCol_PopupBg, c.panel);
   set(ImGuiCol_Border, c.border);
   for (const ImGuiCol i : {ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_TableHeaderBg}) set(i, c.field);
   set(ImGuiCol_Header, look.theme == Theme::kLight ? c.raised : c.field);

@@ -35,6 +35,13 @@ constexpr double kLongLink =
 constexpr double kOpaqueLink = 110, kFaintest = 12;
 constexpr double kReach = 5;  // pixels around a node in which it is under the pointer
 
+// The colour of a state on the field: the pale one of separated faces is darker in the light theme.
+uint32_t colour_on_field(DrawnGraph::State state) {
+  constexpr uint32_t kApartOnLight = 0xb07d10;
+  const bool is_light = ImGui::GetStyleColorVec4(ImGuiCol_FrameBg).x > 0.5f;
+  return is_light && state == DrawnGraph::State::kApart ? kApartOnLight : colour_of(state);
+}
+
 ImU32 opaque(uint32_t hex, int opacity = 255) {
   return IM_COL32(hex >> 16 & 0xffu, hex >> 8 & 0xffu, hex & 0xffu, opacity);
 }
@@ -133,7 +140,8 @@ void GraphCanvas::draw_legend(const DrawnGraph& graph) const {
                      ImGui::GetColorU32(ImGuiCol_FrameBg, 0.85f), 3);
   for (size_t i = 0; i < shown.size(); ++i) {
     const float y = at.y + 0.1f * em + line * static_cast<float>(i);
-    list.AddCircleFilled({at.x + 0.8f * em, y + 0.5f * line}, 0.3f * em, opaque(colour_of(shown[i].state)));
+    list.AddCircleFilled({at.x + 0.8f * em, y + 0.5f * line}, 0.3f * em,
+                         opaque(colour_on_field(shown[i].state)));
     list.AddText({at.x + 1.5f * em, y + 0.5f * (line - em)}, colours::text(), shown[i].name);
   }
 }
@@ -207,7 +215,7 @@ void GraphCanvas::draw_links(const DrawnGraph& graph, const GraphLayout& places,
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const auto& edge : graph.edges) {
     const uint32_t hex =
-        graph.is_cut(edge) ? overlay_colours::kRemoved : colour_of(graph.state(graph.nodes[edge[0]]));
+        graph.is_cut(edge) ? overlay_colours::kRemoved : colour_on_field(graph.state(graph.nodes[edge[0]]));
     const double length = std::max(glm::length(places[edge[0]] - places[edge[1]]), link);
     const double opacity = length > kLongLink ? kFaintest : kOpaqueLink * 2 * link / (length + link);
     list.AddLine(im(on_screen(places[edge[0]])), im(on_screen(places[edge[1]])),
@@ -230,8 +238,8 @@ std::optional<uint32_t> GraphCanvas::draw_nodes(const DrawnGraph& graph, const G
     const double radius = radius_of(graph, i);
     if (std::max(off.x, off.y) > radius) continue;
     const int corners = radius < 4 ? 8 : 16;
-    list.AddCircleFilled(im(p), static_cast<float>(radius), opaque(colour_of(graph.state(graph.nodes[i]))),
-                         corners);
+    list.AddCircleFilled(im(p), static_cast<float>(radius),
+                         opaque(colour_on_field(graph.state(graph.nodes[i]))), corners);
     if (radius >= kOutlined)
       list.AddCircle(im(p), static_cast<float>(radius), IM_COL32(10, 12, 16, 200), corners, 1);
     const double away = glm::length(pointer - p);

@@ -65,12 +65,12 @@ void draw_end(const AxisEnd& end, Vec2 middle, double em, bool pointed_at, ImDra
   if (end.positive) {
     list.AddCircleFilled(to_im(end.at), reach, colour);
   } else {
-    list.AddCircleFilled(to_im(end.at), reach, colours::kPictureShade);
+    list.AddCircleFilled(to_im(end.at), reach, colours::shade());
     list.AddCircle(to_im(end.at), reach, colour, 0, 1.5f);
   }
-  if (pointed_at) list.AddCircle(to_im(end.at), reach + 1.5f, colours::kPictureText, 0, 1.5f);
+  if (pointed_at) list.AddCircle(to_im(end.at), reach + 1.5f, colours::text(), 0, 1.5f);
   if (end.positive || pointed_at)
-    draw_letter(end, end.positive ? IM_COL32(14, 17, 21, 255) : colours::kPictureText, list);
+    draw_letter(end, end.positive ? IM_COL32(14, 17, 21, 255) : colours::text(), list);
 }
 
 // "Top, orthographic"; empty in a perspective view along no axis.
@@ -210,7 +210,7 @@ void draw_axes_gizmo(const ViewState& view, Vec2 pointer, ImDrawList& list) {
   const Vec2 middle = middle_of(view);
   const double em = view.layout.em;
   if (is_on_axes(view, pointer))
-    list.AddCircleFilled(to_im(middle), static_cast<float>(whole_radius(view)), colours::kPictureShade);
+    list.AddCircleFilled(to_im(middle), static_cast<float>(whole_radius(view)), colours::shade());
   const std::optional<AxisEnd> under = axis_end_under(view, pointer);
   for (const AxisEnd& end : axis_ends(view)) {
     const bool pointed_at = under && under->axis == end.axis && under->positive == end.positive;
@@ -222,7 +222,7 @@ void draw_axes_gizmo(const ViewState& view, Vec2 pointer, ImDrawList& list) {
   const auto right = static_cast<float>(area.at.x + area.size.x - kMargin * em);
   const auto x = std::min(static_cast<float>(middle.x) - 0.5f * size.x, right - size.x);
   const auto y = static_cast<float>(middle.y + whole_radius(view) + 0.3 * em);
-  list.AddText({x, y}, colours::kPictureSecondary, kind.c_str());
+  list.AddText({x, y}, colours::secondary(), kind.c_str());
 }
 
 std::optional<StandardView> standard_view_of(const Camera& camera) {

@@ -128,13 +128,12 @@ void removals_row(GraphState& graph, const ViewState& view) {
   ImGui::SetNextItemWidth(-1);
   const auto& closings = graph.closings();
   const auto closed = std::upper_bound(closings.begin(), closings.end(), graph.removals()) - closings.begin();
-  const std::string shown =
-      grouped(graph.removals()) + ", " + count_text(static_cast<size_t>(closed), "loop");
+  const std::string loops = count_text(static_cast<size_t>(closed), "loop");
   const std::string meaning = with_shortcut(
-      view, "Removed faces. Ticks mark removals that closed a loop, which the viewport can show.",
+      view, ("Removed faces, which closed " + loops + " (ticks). The viewport can show them.").c_str(),
       action_id(view_switch(SwitchId::kGraph)));
   if (whole_slider({"Removals", "##removals", meaning.c_str()}, removals, 0,
-                   static_cast<int>(graph.removed()), shown))
+                   static_cast<int>(graph.removed()), grouped(graph.removals())))
     graph.set_removals(static_cast<size_t>(removals));
   mark_last_item("graph removals");
   mark_closings(graph);

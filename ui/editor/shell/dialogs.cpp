@@ -10,6 +10,7 @@
 #include "core/base/number_format.h"
 #include "core/base/platform.h"
 #include "core/document/text/json.h"
+#include "ui/editor/shell/command_palette.h"
 #include "ui/editor/shell/keymap.h"
 #include "ui/editor/shell/panel_column.h"
 #include "ui/gl/context.h"

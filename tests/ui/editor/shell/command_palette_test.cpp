@@ -1,4 +1,4 @@
-#include "ui/editor/shell/catalogue.h"
+#include "ui/editor/shell/command_palette.h"
 
 #include <gtest/gtest.h>
 

@@ -21,7 +21,11 @@ namespace fs = std::filesystem;
 namespace {
 
 Error write_error(const std::filesystem::path& path, int code) {
-  const std::string reason = std::generic_category().message(code);
+  std::string reason = std::generic_category().message(code);
+  std::error_code unknown;
+  const std::filesystem::path folder = path.parent_path();
+  if (code == ENOENT && !folder.empty() && !std::filesystem::exists(folder, unknown))
+    reason = "there is no folder " + folder.string();
   return failed("cannot write " + path.string() + ": " + reason + ".");
 }
 

@@ -409,7 +409,7 @@ class DrawingFeature : public Feature {
       ImGui::Bullet();
       ImGui::PopStyleColor();
       ImGui::SameLine();
-      const std::string label = (name.empty() ? "no layer" : name) + ", " + count_text(count, "line");
+      const std::string label = (name.empty() ? "No layer" : name) + ", " + count_text(count, "line");
       if (ImGui::Selectable(fitted_label(label, ImGui::GetContentRegionAvail().x).c_str(),
                             selected_layer_ == i))
         selected_layer_ = i;

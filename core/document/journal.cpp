@@ -265,6 +265,15 @@ bool mark_state(Document& document, std::vector<StateMark>& marks, bool always) 
   return true;
 }
 
+void mark_group(Document& document, std::vector<StateMark>& marks, size_t from, size_t to, std::string name) {
+  KERF_ASSERT(from < to);
+  document.seal_journal();
+  StateMark& mark = marks.emplace_back(state_mark(document));
+  mark.group_from = from;
+  mark.group_to = to;
+  mark.group = std::move(name);
+}
+
 bool is_journal(const std::filesystem::path& file) {
   return file.extension() == ".kerf" || file.extension() == ".kerf~";
 }
@@ -320,6 +329,11 @@ static void describe(Fields& f, BodyState& state) {
 void describe(Fields& f, StateMark& mark) {
   f.coded("hash", mark.hash, parse_hash, hash_text, kHashRule);
   f.coded("looks", mark.looks, parse_hash, hash_text, kHashRule);
+  if (f.present("group", mark.group_from < mark.group_to)) {
+    f.filled_text("group", mark.group);
+    f.whole("group-from", mark.group_from, 0, std::numeric_limits<size_t>::max());
+    f.whole("group-to", mark.group_to, mark.group_from, std::numeric_limits<size_t>::max());
+  }
   if (!f.reading() && mark.bodies.empty()) return;
   f.text("machine", mark.machine, kOptional);
   f.whole("clock", mark.clock, 0, std::numeric_limits<Ticks>::max(), kOptional);

@@ -26,6 +26,9 @@ struct StateMark {
   std::vector<NearPair> pairs{};
   Ticks clock = 0;                  // 0 if bodies did not move, and in journals without it
   std::optional<uint64_t> looks{};  // see looks_hash()
+  // The history steps between these positions are one to the user, under a name; equal without such a group.
+  size_t group_from = 0, group_to = 0;
+  std::string group{};
 };
 
 // Format number of journals; incremented when earlier versions of Kerf cannot read new journals.
@@ -33,8 +36,9 @@ inline constexpr uint64_t kJournalFormat = 1;
 
 // The content of a journal file (.kerf), one JSON object per line: first the scene, with "kerf": "journal",
 // its format (see Fields::format) and the hashes of its meshes; then the commands (see command_text), and
-// between them marks, {"hash": "0123456789abcdef"}, with "looks" if bodies have looks, and "machine",
-// "bodies", "pairs" and "clock" if bodies have moved.
+// between them marks, {"hash": "0123456789abcdef"}, with "looks" if bodies have looks, "group",
+// "group-from" and "group-to" if it states a group, and "machine", "bodies", "pairs" and "clock" if bodies
+// have moved.
 struct Journal {
   SceneDescription scene;  // without strokes; the strokes of a scene are commands of the journal
   std::filesystem::path
@@ -69,6 +73,8 @@ StateMark state_mark(const Document& document);
 // mark yet. Returns true if a mark was appended, which also seals the journal (see Document::seal_journal).
 // O(faces) in that case.
 bool mark_state(Document& document, std::vector<StateMark>& marks, bool always = false);
+// Appends a mark with a group of history steps. Preconditions: as for state_mark(); from < to. O(faces).
+void mark_group(Document& document, std::vector<StateMark>& marks, size_t from, size_t to, std::string name);
 
 // The content of an opened file: a scene with its meshes loaded and, for a journal, its commands.
 struct OpenedFile {

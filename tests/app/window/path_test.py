@@ -157,8 +157,13 @@ class Path(WindowTest):
         times = wide["last_stroke"]["radius"] / narrow["last_stroke"]["radius"]
         self.assertGreater(times, 1.2)
         self.assertGreater(wide["removed_area"], 0.5 * (1 + times) * narrow["removed_area"])
-        editor.do("ctrl", "z")
-        report = editor.quit()
+        self.save_as(editor, "drawing")
+        editor.wait_for_title("drawing.kerf - Kerf")
+        editor.quit()
+        again = self.open_again(os.path.join(self.folder, "drawing.kerf"))
+        again.wait_for_title("drawing.kerf - Kerf")
+        again.do("ctrl", "z")
+        report = again.quit()
         self.assertEqual((report["state_hash"], report["messages"][-1]), (whole, "Undo: Cut drawing"))
 
     def test_lines_that_the_thermal_beam_does_not_cut_through_are_marked_until_undo(self):

@@ -65,13 +65,19 @@ TEST_F(JournalFile, commands_round_trip_exactly) {
 }
 
 TEST_F(JournalFile, save_points_keep_their_positions) {
-  const std::vector<StateMark> marks{{0, 7}, {2, 0xfedcba9876543210u}, {3, 0}};
+  std::vector<StateMark> marks{{0, 7}, {2, 0xfedcba9876543210u}, {3, 0}};
+  marks[1].group_from = 2;
+  marks[1].group_to = 11;
+  marks[1].group = "Cut drawing";
   save(stroke(0.1), marks);
   const Journal journal = read();
   ASSERT_EQ(journal.marks.size(), 3u);
   for (size_t i = 0; i < marks.size(); ++i) {
     EXPECT_EQ(journal.marks[i].commands, marks[i].commands);
     EXPECT_EQ(journal.marks[i].hash, marks[i].hash);
+    EXPECT_EQ(journal.marks[i].group_from, marks[i].group_from);
+    EXPECT_EQ(journal.marks[i].group_to, marks[i].group_to);
+    EXPECT_EQ(journal.marks[i].group, marks[i].group);
   }
   EXPECT_EQ(journal.marks[1].line, 5u);
 }

@@ -433,6 +433,7 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   session.as_loaded = std::move(loaded.as_loaded);
   session.paints = loaded.scene.paints;
   session.scene = loaded.scene;
+  session.marks = std::move(loaded.marks);
   workspace.changes.forget();
   workspace.links.replaced();
   if (session.document.history().last_cut()) workspace.laser.show(session.document.history().last_settings());
@@ -450,7 +451,6 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   }
   report_opened(workspace.message, loaded);
   record_saved_state(session, loaded, workspace.view.look.lights);
-  session.marks = std::move(loaded.marks);
   workspace.view.picture_old = workspace.services.statistics.world_changed = true;
 }
 

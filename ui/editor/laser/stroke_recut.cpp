@@ -79,7 +79,8 @@ void StrokeRecut::recut(bool radius) {
 // only if the strokes share one.
 void StrokeRecut::recut_group(const StepGroups::Group& group, bool radius) {
   const UndoStack& history = workspace_.session.document.history();
-  const auto [from, to, name] = group;
+  const size_t from = group.from, to = group.to;
+  const std::string name = group.name;
   radius = radius && share_radius(history, from, to);
   std::vector<Command> commands(to - from, Undo{});
   for (size_t i = from; i < to; ++i) {

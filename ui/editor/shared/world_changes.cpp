@@ -121,6 +121,44 @@ void StepGroups::add(size_t from, const Document& document, std::string name) {
   if (to > from + 1) groups_.push_back({from, to, std::move(name)});
 }
 
+void StepGroups::mark(Document& document, std::vector<StateMark>& marks) {
+  if (document.queue().in_stroke() || document.waiting() > 0) return;
+  for (Group& group : groups_) {
+    if (std::exchange(group.is_marked, true)) continue;
+    mark_group(document, marks, group.from, group.to, group.name);
+  }
+}
+
+void StepGroups::restore(const Document& document, std::span<const StateMark> marks) {
+  const std::vector<Command>& journal = document.journal();
+  std::vector<HistoryStep::Kind> kinds;  // of the steps up to the position, and of those that are undone
+  size_t position = 0;
+  groups_.clear();
+  for (size_t i = 0; i <= journal.size(); ++i) {
+    for (; !marks.empty() && marks.front().commands <= i; marks = marks.subspan(1)) {
+      const StateMark& mark = marks.front();
+      if (mark.group_from < mark.group_to && mark.group_to <= kinds.size())
+        groups_.push_back({mark.group_from, mark.group_to, mark.group, true});
+    }
+    if (i == journal.size()) break;
+    if (std::holds_alternative<Undo>(journal[i])) {
+      position -= std::min<size_t>(position, 1);
+    } else if (std::holds_alternative<Redo>(journal[i])) {
+      position = std::min(position + 1, kinds.size());
+    } else {
+      std::erase_if(groups_, [&](const Group& group) { return group.to > position; });
+      const auto last = position > 0 ? std::optional(kinds[position - 1]) : std::nullopt;
+      if (const auto kind = history_step_kind(journal[i], last)) {
+        kinds.resize(position++);
+        kinds.push_back(*kind);
+      }
+    }
+  }
+  position_ = document.history().position();
+  commands_ = journal.size();
+  if (position != position_) groups_.clear();  // the journal was edited
+}
+
 bool StepGroups::has_row(size_t position) const {
   return std::none_of(groups_.begin(), groups_.end(),
                       [&](const Group& g) { return g.from < position && position < g.to; });
@@ -181,7 +219,9 @@ void WorldChanges::enqueue(const Command& command) {
 }
 
 void WorldChanges::process_requests() {
-  groups_.follow(workspace_.session.document);
+  DocumentSession& session = workspace_.session;
+  groups_.follow(session.document);
+  if (!pending_) groups_.mark(session.document, session.marks);
   for (size_t left = requests_.size(); left > 0 && !requests_.empty() && !pending_; --left) {
     Request next = std::move(requests_.front());
     requests_.pop_front();
@@ -214,7 +254,7 @@ void WorldChanges::begin(LongChange reading) {
 }
 
 void WorldChanges::forget() {
-  groups_ = StepGroups();
+  groups_.restore(workspace_.session.document, workspace_.session.marks);
   group_.reset();
   pending_.reset();
   std::erase_if(requests_, [](const Request& a) { return !a.always; });

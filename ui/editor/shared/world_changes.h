@@ -6,11 +6,13 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/document/document.h"
+#include "core/document/journal.h"
 #include "ui/render/bodies/base_faces.h"
 
 namespace kerf {
@@ -74,6 +76,7 @@ class StepGroups {
   struct Group {
     size_t from = 0, to = 0;  // positions of the history
     std::string name;
+    bool is_marked = false;  // in the journal
   };
 
   // Drops groups with steps that are no longer in the history. Called at least once per frame. O(new
@@ -81,6 +84,10 @@ class StepGroups {
   void follow(const Document& document);
   // Groups the steps from a position up to that of the document, if there is more than one.
   void add(size_t from, const Document& document, std::string name);
+  // Appends marks with the groups that have none, unless a stroke is being drawn or cut.
+  void mark(Document& document, std::vector<StateMark>& marks);
+  // Replaces the groups by those of the marks of a journal. O(commands).
+  void restore(const Document& document, std::span<const StateMark> marks);
   // Returns true if the list of the history has a row for a position: not within a group.
   bool has_row(size_t position) const;
   // Returns the group that an undo (`back`) or a redo from a position covers, or null. Valid until the next

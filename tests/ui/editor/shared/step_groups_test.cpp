@@ -47,6 +47,31 @@ TEST_F(StepGroupsTest, a_group_has_one_row_until_a_step_is_dropped) {
   EXPECT_TRUE(groups.has_row(4));
 }
 
+TEST_F(StepGroupsTest, the_marks_of_a_journal_restore_those_that_are_left) {
+  std::vector<StateMark> marks;
+  for (const bool hidden : {true, false, true}) {
+    hide_all(hidden);
+    if (!hidden) groups.mark(document, marks);  // two groups, and later the third
+  }
+  groups.mark(document, marks);
+  EXPECT_EQ(marks.size(), 3u);
+  ASSERT_TRUE(document.travel(7).ok());  // within the last group
+  ASSERT_TRUE(document.travel(3).ok());
+  StepGroups restored;
+  restored.restore(document, marks);
+  groups.follow(document);
+  for (size_t position = 0; position <= 9; ++position)
+    EXPECT_EQ(restored.has_row(position), groups.has_row(position)) << position;
+  ASSERT_NE(restored.at(3, true), nullptr);
+  EXPECT_EQ(restored.at(3, true)->name, "Hide");
+  ASSERT_NE(restored.at(3, false), nullptr);
+  EXPECT_EQ(restored.at(3, false)->name, "Show");
+  hide(false, 0, 1);  // drops what is undone
+  restored.restore(document, marks);
+  EXPECT_NE(restored.at(3, true), nullptr);
+  EXPECT_EQ(restored.at(3, false), nullptr);
+}
+
 TEST_F(StepGroupsTest, groups_are_undone_and_redone_one_by_one) {
   hide_all(true);
   hide_all(false);

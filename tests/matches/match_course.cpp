@@ -43,25 +43,27 @@ class PartsOff {
     const Ticks now = match.standing().ticks;
     for (const Part& part : parts_) {
       if (part.due > now || !world.contains(part.id) || !world.contains(part.rest)) continue;
-      ++course.parts;
-      course.moved_parts += glm::distance(place(world, part.id, part.rest), part.from) >= kMoved;
+      MovedParts& parts = part.is_heavy ? course.heavy_parts : course.parts;
+      ++parts.all;
+      parts.moved += glm::distance(place(world, part.id, part.rest), part.from) >= kMoved;
     }
     std::erase_if(parts_, [&](const Part& part) { return part.due <= now; });
     for (const Detached& d : match.delta().detached) {
       if (!world.contains(d.to) || !world.contains(d.from)) continue;
-      const Sheet& sheet = world.body(d.to).sheet;
-      if (area_of(world.body(d.to)) * sheet.thickness * sheet.density > kHeavyPart) continue;
-      parts_.push_back({d.to, d.from, place(world, d.to, d.from), now + kDue});
+      const bool is_heavy = mass_of(world.body(d.to)) > kHeavyPart;
+      parts_.push_back(
+          {d.to, d.from, place(world, d.to, d.from), now + (is_heavy ? kHeavyDue : kDue), is_heavy});
     }
   }
 
  private:
   static constexpr double kMoved = 0.05;  // m
-  static constexpr Ticks kDue = kTicksPerSecond * 3 / 10;
+  static constexpr Ticks kDue = kTicksPerSecond * 3 / 10, kHeavyDue = 2 * kTicksPerSecond;
   struct Part {
     BodyId id, rest;
     Vec3 from;
     Ticks due;
+    bool is_heavy;
   };
   // The centre of a body in the frame of another one.
   static Vec3 place(const World& world, BodyId part, BodyId rest) {

@@ -6,6 +6,11 @@
 
 namespace kerf {
 
+// Parts that came off, and those of them that moved by 5 cm in time.
+struct MovedParts {
+  size_t all = 0, moved = 0;
+};
+
 // How a match without a window went.
 struct MatchCourse {
   bool won = false, lost = false;  // neither: it was ended before
@@ -15,9 +20,9 @@ struct MatchCourse {
   std::optional<double> first_beam, first_part;  // s: of the player, and that came off an enemy
   std::optional<double> first_cut;               // s: of an enemy by the player
   std::optional<double> first_hit, first_death;  // s: of the player's first car
-  size_t parts = 0, moved_parts = 0;  // parts up to 300 kg that came off; moved by 5 cm within 0.3 s
-  size_t kills_at_once = 0;           // the most vehicles that lost a vital part in a tick by different beams
-  double longest_without_way = 0;     // s, for which the player wanted to drive and got nowhere
+  MovedParts parts, heavy_parts;                 // up to 300 kg, within 0.3 s; heavier ones, within 2 s
+  size_t kills_at_once = 0;        // the most vehicles that lost a vital part in a tick by different beams
+  double longest_without_way = 0;  // s, for which the player wanted to drive and got nowhere
 };
 
 // Returns true if the player's first car was not wrecked within this time [s] of the first hit.

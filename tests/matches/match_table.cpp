@@ -102,10 +102,13 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
     at_once = std::max(at_once, c.kills_at_once);
     held = std::max(held, c.longest_without_way);
   }
-  size_t outlived = 0, off = 0, moved = 0;
+  size_t outlived = 0;
+  MovedParts off, heavy;
   for (const MatchCourse& c : bots) {
-    off += c.parts;
-    moved += c.moved_parts;
+    off.all += c.parts.all;
+    off.moved += c.parts.moved;
+    heavy.all += c.heavy_parts.all;
+    heavy.moved += c.heavy_parts.moved;
   }
   for (const MatchCourse& c : still) {
     alive += !c.lost;
@@ -118,9 +121,10 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
       "(median), first beam within %.0f s %zu, first part within "
       "%.0f s %zu, "
       "vital parts lost in a tick by several beams %zu, standing still alive after %.0f s %zu of %zu, %.0f s "
-      "after the first hit %zu, held %.1f s, parts that moved %zu of %zu\n",
+      "after the first hit %zu, held %.1f s, parts that moved %zu of %zu, heavier ones %zu of %zu\n",
       name_of(level), won, all, median(lengths), median(lost), median(contacts), kFirstBeam, beams,
-      kFirstPart, parts, at_once, kStill, alive, still.size(), kOutlives, outlived, held, moved, off);
+      kFirstPart, parts, at_once, kStill, alive, still.size(), kOutlives, outlived, held, off.moved, off.all,
+      heavy.moved, heavy.all);
 }
 
 struct Wanted {

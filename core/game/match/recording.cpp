@@ -143,8 +143,9 @@ Result<std::vector<std::filesystem::path>> files_of_match(const std::filesystem:
   std::vector<std::filesystem::path> vehicles{rules.player};
   for (const auto& wave : rules.waves) vehicles.insert(vehicles.end(), wave.begin(), wave.end());
   vehicles.insert(vehicles.end(), rules.spawns.begin(), rules.spawns.end());
+  // Absolute paths, because a replay may name the same files by other relative ones.
   const auto once = [](std::vector<std::filesystem::path>& files) {
-    for (std::filesystem::path& file : files) file = file.lexically_normal();
+    for (std::filesystem::path& file : files) file = std::filesystem::absolute(file).lexically_normal();
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
   };

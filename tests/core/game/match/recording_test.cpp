@@ -105,6 +105,14 @@ TEST_F(MatchFiles, have_a_hash_that_changes_with_each_of_them) {
   EXPECT_EQ(*hash(), *before);
 }
 
+TEST_F(MatchFiles, have_the_same_hash_by_relative_paths) {
+  write("wall.obj", "another mesh\n");
+  auto rules = read_rules(folder_ / "rules.json");
+  ASSERT_TRUE(rules) << rules.error().message;
+  rules->arena = std::filesystem::relative(rules->arena);
+  EXPECT_EQ(*hash_of_files(folder_ / "rules.json", *rules), *hash());
+}
+
 TEST_F(MatchFiles, have_no_hash_if_any_is_missing) {
   std::filesystem::remove(folder_ / "wall.obj");
   const auto missing = hash();

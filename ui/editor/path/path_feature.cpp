@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -28,8 +29,9 @@ namespace {
 
 constexpr double kWholeTurn = 6.283185307179586;
 
-constexpr size_t kMaxProjectedHoles = 400;
+constexpr size_t kMaxProjectedHoles = 400, kMaxFullySampledHoles = 100;
 constexpr int kOutlinePoints = 40;
+constexpr int kDash = 2;                      // segments of an outline in a dash
 constexpr int kMinKeys = 12, kMaxKeys = 360;  // of a hole
 constexpr double kSagitta = 1.0 / 16;         // max. distance of a chord from its circle, in beam radii
 
@@ -72,6 +74,58 @@ std::vector<Vec3> middles(const HolePattern& p, const Plane& plane) {
     }
   }
   return all;
+}
+
+std::vector<Vec3> circle_points(const Plane& plane, double radius) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    const double angle = kWholeTurn * i / kOutlinePoints;
+    points.push_back(plane.at(radius * std::cos(angle), radius * std::sin(angle)));
+  }
+  return points;
+}
+
+struct HoleDepth {
+  HoleOutline::Meets meets = HoleOutline::Meets::kNothing;
+  std::optional<double> depth;  // m along the beam, of the first surface found; nullopt if there is none
+};
+
+// Tests the centre of a hole, and every `stride`-th point of its circle until the answer is certain.
+HoleDepth depth_of_hole(const World& world, const ViewOptions& look, const Pose& ray,
+                        const std::vector<Vec3>& circle, size_t stride) {
+  HoleDepth found;
+  bool misses = false;
+  const auto test = [&](const Vec3& offset) {
+    const auto surface = surface_point(world, look, {ray.origin + offset, ray.direction});
+    if (!surface) misses = true;
+    if (surface && !found.depth) found.depth = glm::dot(surface->at - ray.origin, ray.direction);
+  };
+  test(Vec3(0));
+  for (size_t i = 0; i < circle.size() && !(found.depth && misses); i += stride) test(circle[i]);
+  if (found.depth) found.meets = misses ? HoleOutline::Meets::kInPart : HoleOutline::Meets::kFully;
+  return found;
+}
+
+size_t count_missing(const std::vector<HoleOutline>& outlines) {
+  return static_cast<size_t>(std::ranges::count_if(
+      outlines, [](const HoleOutline& o) { return o.meets == HoleOutline::Meets::kNothing; }));
+}
+
+// Draws a closed outline, in dashes if the hole meets a surface in part.
+void draw_outline(const std::vector<ImVec2>& places, HoleOutline::Meets meets, ImDrawList& list) {
+  const ImU32 shade = IM_COL32(10, 12, 16, 170);
+  const auto count = static_cast<int>(places.size());
+  if (meets != HoleOutline::Meets::kInPart) {
+    const bool full = meets == HoleOutline::Meets::kFully;
+    list.AddPolyline(places.data(), count, shade, ImDrawFlags_Closed, 3.5f);
+    list.AddPolyline(places.data(), count, full ? colours::accent() : colours::kPictureSecondary,
+                     ImDrawFlags_Closed, 1.5f);
+    return;
+  }
+  for (int i = 0; i + kDash < count; i += 2 * kDash) {
+    list.AddPolyline(&places[i], kDash + 1, shade, 0, 3.5f);
+    list.AddPolyline(&places[i], kDash + 1, colours::accent(), 0, 1.5f);
+  }
 }
 
 StrokePath hole(const Pose& middle, const Plane& plane, double hole_radius, double radius) {
@@ -437,18 +491,18 @@ std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& b
   KERF_ASSERT(pattern.hole_radius > 0 && distance > 0);
   const Plane plane = plane_across(beam.direction);
   const std::vector<Vec3> all = middles(pattern, plane);
+  const std::vector<Vec3> circle = circle_points(plane, pattern.hole_radius);
   std::vector<HoleOutline> outlines;
   for (const Vec3& middle : all) {
     const Pose ray{beam.origin + middle, beam.direction};
     HoleOutline outline;
-    const auto surface = all.size() <= kMaxProjectedHoles ? surface_point(world, look, ray) : std::nullopt;
-    outline.hits = surface.has_value() || all.size() > kMaxProjectedHoles;
-    const Vec3 centre = surface ? surface->at : ray.origin + distance * ray.direction;
-    for (int i = 0; i < kOutlinePoints; ++i) {
-      const double angle = kWholeTurn * i / kOutlinePoints;
-      outline.points.push_back(
-          centre + plane.at(pattern.hole_radius * std::cos(angle), pattern.hole_radius * std::sin(angle)));
+    double depth = distance;
+    if (all.size() <= kMaxProjectedHoles) {
+      const HoleDepth found = depth_of_hole(world, look, ray, circle, 1 + all.size() / kMaxFullySampledHoles);
+      outline.meets = found.meets;
+      depth = found.depth.value_or(distance);
     }
+    for (const Vec3& p : circle) outline.points.push_back(ray.origin + depth * ray.direction + p);
     outlines.push_back(std::move(outline));
   }
   return outlines;
@@ -476,13 +530,19 @@ void HoleForm::fit_to(double diagonal) {
   pattern_.hole_radius = diagonal / 40;
 }
 
-void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
+void HoleForm::add_holes(PathWork& path, const World& world, const std::vector<HoleOutline>& outlines,
+                         double radius, double speed) const {
   KERF_ASSERT(path.selected());
   const PathPoint point = *path.selected();
   const Pose beam = path.pose(point);
   const double distance = path.distance(point);
+  std::vector<StrokePath> strokes = hole_strokes(pattern_, beam, radius), met;
+  KERF_ASSERT(strokes.size() == outlines.size());
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    if (outlines[i].meets != HoleOutline::Meets::kNothing) met.push_back(std::move(strokes[i]));
+  }
   path.begin_edit();
-  path.add_strokes(hole_strokes(pattern_, beam, radius), world, distance, speed);
+  path.add_strokes(met, world, distance, speed);
 }
 
 void HoleForm::draw_preview(const PathWork& path, const World& world, const ViewState& view,
@@ -502,14 +562,13 @@ void HoleForm::draw_preview(const PathWork& path, const World& world, const View
       high = glm::max(high, *place);
     }
     if (places.size() < outline.points.size()) continue;
-    list.AddPolyline(places.data(), kOutlinePoints, IM_COL32(10, 12, 16, 170), ImDrawFlags_Closed, 3.5f);
-    list.AddPolyline(places.data(), kOutlinePoints,
-                     outline.hits ? colours::accent() : colours::kPictureSecondary, ImDrawFlags_Closed, 1.5f);
+    draw_outline(places, outline.meets, list);
   }
   if (low.x <= high.x) mark_area("hole preview", {low, high - low});
 }
 
-void HoleForm::draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit) {
+void HoleForm::draw(PathWork& path, const World& world, const ViewOptions& look, double radius, double speed,
+                    FileUnit unit) {
   drawn_ = true;
   fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
@@ -520,12 +579,19 @@ void HoleForm::draw(PathWork& path, const World& world, double radius, double sp
   length_row(fields_, "Hole Radius", pattern_.hole_radius, unit,
              "Holes no wider than the beam are cut by a single burst.");
   end_properties();
-  const int count = grid ? pattern_.rows * pattern_.columns : pattern_.count;
-  const std::string label = "Add " + count_text(static_cast<size_t>(count), "hole");
-  if (row_button((label + "###add holes").c_str(), 1,
-                 path.selected() ? nullptr : "Select a point of the path first; the holes are centred on it.",
-                 "Adds a stroke for each hole around the selected point, along its beam."))
-    add_holes(path, world, radius, speed);
+  std::vector<HoleOutline> outlines;
+  if (const auto point = path.selected())
+    outlines = hole_outlines(pattern_, path.pose(*point), path.distance(*point), world, look);
+  const auto count = static_cast<size_t>(grid ? pattern_.rows * pattern_.columns : pattern_.count);
+  const size_t missing = count_missing(outlines), met = count - missing;
+  std::string label = "Add " + grouped(met) + (met == 1 ? " Hole" : " Holes");
+  if (missing > 0) label += ", " + grouped(missing) + (missing == 1 ? " meets" : " meet") + " no surface";
+  const char* disabled_reason = met == 0 ? "None of the holes meets a surface." : nullptr;
+  if (!path.selected()) disabled_reason = "Select a point of the path first; the holes are centred on it.";
+  if (row_button((label + "###add holes").c_str(), 1, disabled_reason,
+                 "Adds a stroke for each hole around the selected point, along its beam. Dashed holes meet a "
+                 "surface in part."))
+    add_holes(path, world, outlines, radius, speed);
   mark_last_item("add holes");
 }
 
@@ -658,7 +724,7 @@ void PathPanel::draw(PathWork& path, bool& at_panel_resolution, const ViewState&
   const bool unfolded = ImGui::TreeNodeEx("Holes", ImGuiTreeNodeFlags_NoTreePushOnOpen);
   mark_last_item("Holes header");
   tooltip("Adds a grid or circle of holes around the selected point.");
-  if (unfolded) holes_.draw(path, world, beam.radius, beam.speed, unit);
+  if (unfolded) holes_.draw(path, world, view.look, beam.radius, beam.speed, unit);
 }
 
 std::unique_ptr<Feature> path_feature(Workspace& workspace) {

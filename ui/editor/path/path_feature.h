@@ -30,15 +30,15 @@ struct HolePattern {
 std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& beam, double radius);
 
 // The outline of a hole before it is added [m, world space]: a circle across the beam, at the depth of the
-// first visible surface under its centre.
+// first visible surface under its centre, else under a point of the circle, else of the beam's target.
 struct HoleOutline {
+  enum class Meets { kNothing, kInPart, kFully };
   std::vector<Vec3> points;
-  bool hits = true;  // false: there is no surface under the centre, and the circle is at the depth of the
-                     // beam's target
+  Meets meets = Meets::kFully;  // how much of the circle and its centre has a visible surface under it
 };
 // Returns an outline per stroke of hole_strokes(). `distance` [m, > 0]: of the target from the origin of the
-// beam. More than 400 holes are all at the depth of the target, for speed. Preconditions: those of
-// hole_strokes().
+// beam. Samples fewer points of each circle if there are more than 100 holes. More than 400 are all at the
+// depth of the target and count as full, for speed. Preconditions: those of hole_strokes().
 std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,
                                        const World& world, const ViewOptions& look);
 
@@ -47,8 +47,9 @@ class HoleForm {
  public:
   // `radius` [m]: of the beam. `speed` [m/s]: of a path that begins with the holes. Lengths default to
   // values from the size of the world until they are typed, and are reset in a world of a very different
-  // size.
-  void draw(PathWork& path, const World& world, double radius, double speed, FileUnit unit);
+  // size. Holes that meet no visible surface are left out.
+  void draw(PathWork& path, const World& world, const ViewOptions& look, double radius, double speed,
+            FileUnit unit);
   // Draws the outlines of the holes around the selected point if the rows were drawn in the last frame.
   void draw_preview(const PathWork& path, const World& world, const ViewState& view, ImDrawList& list);
 
@@ -56,7 +57,8 @@ class HoleForm {
   void draw_grid(FileUnit unit);
   void draw_circle(FileUnit unit);
   void fit_to(double diagonal);
-  void add_holes(PathWork& path, const World& world, double radius, double speed) const;
+  void add_holes(PathWork& path, const World& world, const std::vector<HoleOutline>& outlines, double radius,
+                 double speed) const;
 
   HolePattern pattern_;
   NumberFields fields_;

@@ -82,7 +82,7 @@ TEST(HoleOutlines, are_circles_on_the_surface_or_at_the_depth_of_the_target) {
   const std::vector<HoleOutline> outlines = hole_outlines(grid, kDown, 0.5, world, {});
   ASSERT_EQ(outlines.size(), hole_strokes(grid, kDown, 0.01).size());
   for (size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(outlines[i].hits, i == 1);
+    EXPECT_EQ(outlines[i].meets, i == 1 ? HoleOutline::Meets::kFully : HoleOutline::Meets::kNothing);
     Vec3 middle(0);
     for (const Vec3& p : outlines[i].points) middle += p / static_cast<double>(outlines[i].points.size());
     EXPECT_NEAR(middle.y, i == 1 ? 0 : 0.2 - 0.5, 1e-12);
@@ -92,6 +92,22 @@ TEST(HoleOutlines, are_circles_on_the_surface_or_at_the_depth_of_the_target) {
       EXPECT_NEAR(p.y, middle.y, 1e-12);
     }
   }
+}
+
+// The plate ends at x = 0.5; the first two centres lie on either side of this edge.
+TEST(HoleOutlines, across_an_edge_meet_the_surface_in_part) {
+  World world;
+  world.add(make_body("plate", test::build(test::grid(30, 1))));
+  HolePattern single;
+  single.rows = single.columns = 1, single.hole_radius = 0.06;
+  for (const double x : {0.47, 0.53}) {
+    const Pose beam{{x, 0.2, 0.01}, {0, -1, 0}};
+    const HoleOutline outline = hole_outlines(single, beam, 0.5, world, {}).front();
+    EXPECT_EQ(outline.meets, HoleOutline::Meets::kInPart) << x;
+    EXPECT_NEAR(outline.points.front().y, 0, 1e-12) << x;
+  }
+  const HoleOutline inside = hole_outlines(single, {{0.43, 0.2, 0.01}, {0, -1, 0}}, 0.5, world, {}).front();
+  EXPECT_EQ(inside.meets, HoleOutline::Meets::kFully);
 }
 
 }  // namespace

@@ -271,6 +271,9 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   return change;
 }
 
+// Legible on colours::kPictureShade in both themes.
+constexpr ImU32 kPictureWarning = IM_COL32(0xff, 0x9d, 0x2e, 255);
+
 class MaterialFeature : public Feature {
  public:
   explicit MaterialFeature(Workspace& workspace) : workspace_(workspace) {}
@@ -299,7 +302,7 @@ class MaterialFeature : public Feature {
     const float margin = 0.25f * size;
     list.AddRectFilled({at.x - margin, at.y - margin}, {at.x + extent.x + margin, at.y + extent.y + margin},
                        colours::kPictureShade, margin);
-    list.AddText(at, through ? colours::kPictureText : colours::accent(), text);
+    list.AddText(at, through ? colours::kPictureText : kPictureWarning, text);
   }
 
  private:

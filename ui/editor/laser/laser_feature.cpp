@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -560,17 +561,19 @@ bool WaitingStrokes::follow(const Document& document, FileUnit unit, bool held_b
 
 void WaitingStrokes::draw(const ViewState& view, ImDrawList& list) const {
   const float em = ImGui::GetFontSize();
+  std::set<std::string> reasons;
   for (size_t i = 0; i < strokes_.size(); ++i) {
     const BeamPicture& beam = strokes_[i].beam;
     const auto at = PrimaryViewport(view).place_of(beam.strike.value_or(beam.to));
     if (!at) continue;
+    list.AddCircle(to_im(*at), 0.35f * em, colours::kPictureText, 0, 1.3f);
+    if (!reasons.insert(strokes_[i].waits_for).second) continue;
     const ImVec2 text = ImGui::CalcTextSize(strokes_[i].waits_for.c_str());
     const ImVec2 place{static_cast<float>(at->x) + em, static_cast<float>(at->y) - 0.5f * em};
     const ImVec2 low{place.x - 0.4f * em, place.y - 0.2f * em};
     list.AddRectFilled(low, {place.x + text.x + 0.4f * em, place.y + text.y + 0.2f * em},
                        colours::kPictureShade, 3);
     list.AddText(place, colours::kPictureText, strokes_[i].waits_for.c_str());
-    list.AddCircle(to_im(*at), 0.35f * em, colours::kPictureText, 0, 1.3f);
     mark_area(("waiting stroke " + std::to_string(i)).c_str(),
               {{low.x, low.y}, {text.x + 0.8 * em, text.y + 0.4 * em}});
   }

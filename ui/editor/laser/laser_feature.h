@@ -60,7 +60,7 @@ class WaitingStrokes {
   bool follow(const Document& document, FileUnit unit, bool held_back, double seconds);
 
   const std::vector<Stroke>& strokes() const { return strokes_; }
-  // Draws next to each beam what its stroke waits for.
+  // Marks each beam, and draws each reason once, next to the first visible beam that has it.
   void draw(const ViewState& view, ImDrawList& list) const;
 
  private:

@@ -625,6 +625,19 @@ Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks
   return ExportedPieces{std::move(files), writer.note()};
 }
 
+std::string unused_name(const World& world, const PieceMap& looks, const fs::path& folder,
+                        const std::string& name) {
+  const auto exists = [&](const std::string& candidate) {
+    return std::ranges::any_of(files_to_export(world, looks, folder / candidate), [](const PieceFile& f) {
+      std::error_code unknown;
+      return fs::exists(f.mesh, unknown);
+    });
+  };
+  std::string unused = name;
+  for (int i = 2; exists(unused); ++i) unused = with_suffix(name, "-" + std::to_string(i)).string();
+  return unused;
+}
+
 // Returns the name of the selected piece, or with "*" for several.
 std::string PieceExport::suggested_name() const {
   const PieceMap& looks = workspace_.view.look.pieces;
@@ -654,7 +667,9 @@ void PieceExport::select_file() {
                 return files;
               },
           .inputs = [this] { return inputs_of(workspace_.session); }},
-         workspace_.settings.folder, suggested_name());
+         workspace_.settings.folder,
+         unused_name(workspace_.world(), workspace_.view.look.pieces, workspace_.settings.folder,
+                     suggested_name()));
 }
 
 std::string PieceExport::export_to(const std::filesystem::path& file) {

@@ -31,6 +31,10 @@ std::string file_name_of(const std::string& piece);
 std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks,
                                        const std::filesystem::path& file, bool single_file = false);
 
+// Returns `name`, or with "-2", "-3" etc. added if its files_to_export() in the folder exist.
+std::string unused_name(const World& world, const PieceMap& looks, const std::filesystem::path& folder,
+                        const std::string& name);
+
 // The files of an export, and what their format lost.
 struct ExportedPieces {
   std::vector<PieceFile> files;

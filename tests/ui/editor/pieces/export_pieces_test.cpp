@@ -57,6 +57,17 @@ TEST(ExportPieces, gives_files_unique_names_from_their_pieces) {
   EXPECT_TRUE(files_to_export(world, {}, "/x/*.off").empty());
 }
 
+TEST(ExportPieces, suggests_a_name_whose_files_do_not_exist) {
+  const test::TemporaryFolder folder;
+  const World world = world_of({"tube", "plate"});
+  PieceMap one;
+  one[{world.ids()[0], 0}].selected = true;
+  EXPECT_EQ(unused_name(world, one, folder.path(), "tube.obj"), "tube.obj");
+  for (const char* taken : {"tube.obj", "tube-2.obj"}) std::ofstream(folder.path() / taken) << '\n';
+  EXPECT_EQ(unused_name(world, one, folder.path(), "tube.obj"), "tube-3.obj");
+  EXPECT_EQ(unused_name(world, all_selected(world), folder.path(), "*.obj"), "*-3.obj");
+}
+
 TEST(ExportPieces, writes_the_mtl_materials_of_a_piece_next_to_an_obj_file) {
   const test::TemporaryFolder folder;
   const World world = world_of({"car"});

@@ -86,6 +86,7 @@ constexpr const char* kRulerKey = "rulers";  // in the head of a document
 constexpr double kReachOfEnd = 8;            // screen coordinates
 
 constexpr int kCirclePoints = 96;
+constexpr double kSameCircle = 1e-6;  // max. difference, relative to the radius
 
 // The measurement that clicks add.
 enum class RulerKind { kDistance, kRimRadius };
@@ -236,6 +237,8 @@ class RulerFeature : public Feature {
       return workspace_.message.error("No rim under the pointer: click an open or sharp edge of a surface.");
     const auto circle = fit_circle(*rim);
     if (!circle) return workspace_.message.error("The rim encloses no area, so no circle fits it.");
+    if (const RulerMark* known = list_.radius_of(circle->centre, circle->radius, circle->normal))
+      return workspace_.message.info(known->name + " already measures this rim: " + value_text(*known));
     const PrimaryViewport viewport(workspace_.view);
     const Vec3 clicked = viewport.at_depth_of(circle->centre, pointer) - circle->centre;
     const Vec3 across = clicked - glm::dot(clicked, circle->normal) * circle->normal;
@@ -394,6 +397,15 @@ void RulerList::add(const Vec3& from, const Vec3& to, const std::optional<RulerM
   size_t number = marks_.size() + 1;
   while (has(kind + std::to_string(number))) ++number;
   marks_.push_back({kind + std::to_string(number), from, to, circle});
+}
+
+const RulerMark* RulerList::radius_of(const Vec3& centre, double radius, const Vec3& normal) const {
+  const auto known = std::ranges::find_if(marks_, [&](const RulerMark& m) {
+    return m.circle && glm::length(m.from - centre) <= kSameCircle * radius &&
+           std::abs(m.length() - radius) <= kSameCircle * radius &&
+           glm::length(glm::cross(m.circle->normal, normal)) <= kSameCircle;
+  });
+  return known != marks_.end() ? &*known : nullptr;
 }
 
 void RulerList::move(size_t mark, bool to_end, const Vec3& at) {

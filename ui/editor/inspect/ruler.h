@@ -30,6 +30,9 @@ struct RulerMark {
 class RulerList {
  public:
   const std::vector<RulerMark>& marks() const { return marks_; }
+  // Returns the radius of this circle, given the measurement of one like it, up to rounding; null if it is
+  // not measured.
+  const RulerMark* radius_of(const Vec3& centre, double radius, const Vec3& normal) const;
 
   // Begins an undo step, which contains all edits until the next call.
   void begin_edit();

@@ -50,6 +50,18 @@ TEST(RulerList, names_stay_unique_after_a_removal) {
   EXPECT_EQ(list.marks()[1].name, "Distance 3");
 }
 
+TEST(RulerList, finds_the_radius_of_a_circle_that_is_measured) {
+  RulerList list = two_marks();
+  list.begin_edit();
+  list.add({1, 0, 0}, {1, 0, 2}, RulerMark::Circle{{0, 1, 0}, 0.01});
+  const RulerMark* known = list.radius_of({1, 0, 1e-9}, 2, {0, -1, 0});
+  ASSERT_NE(known, nullptr);
+  EXPECT_EQ(known->name, "Radius 3");
+  EXPECT_EQ(list.radius_of({1, 0, 0}, 2.1, {0, 1, 0}), nullptr);
+  EXPECT_EQ(list.radius_of({1, 0.1, 0}, 2, {0, 1, 0}), nullptr);
+  EXPECT_EQ(list.radius_of({1, 0, 0}, 2, {1, 0, 0}), nullptr);
+}
+
 TEST(RulerList, round_trips_through_a_document) {
   const RulerList list = two_marks();
   RulerList read;

@@ -82,7 +82,13 @@ class Files(WindowTest):
         editor.do("Return")
         editor.wait_for_title("ball.kerf - Kerf")
         self.assertNotIn("browser", editor.landmarks()["parts"])
+        os.makedirs(os.path.join(self.folder, "below"))
+        self.save_as(editor, os.path.join("below", 300 * "x" + ".kerf"))  # too long for a file system
+        editor.settle()
+        editor.part("browser")
+        editor.do("Escape")
         editor.quit()
+        self.assertNotEqual(os.path.basename(self.settings()["folder"]), "below")
 
     def test_a_valid_file_opens_and_a_broken_one_changes_nothing(self):
         editor = self.open()
@@ -118,6 +124,29 @@ class Files(WindowTest):
         editor.wait_for_title("part.json* - Kerf")
         report = editor.quit()
         self.assertEqual((report["files"], report["faces"]), (["part.json"], 1))
+
+    def test_a_wrong_mesh_for_a_journal_is_refused_until_the_right_one_is_found(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        ball, found = os.path.join(folder.name, "ball.obj"), os.path.join(folder.name, "found.obj")
+        shutil.copy(os.path.join(ASSETS, "meshes", "knot.obj"), ball)
+        editor = self.open(ball)
+        editor.drag(ACROSS)
+        self.save_as(editor, os.path.join(folder.name, "job.kerf"))
+        editor.wait_for_title("job.kerf - Kerf")
+        editor.quit()
+        os.rename(ball, found)
+        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), os.path.join(folder.name, "other.obj"))
+        editor = self.open(os.path.join(folder.name, "job.kerf"))
+        for name in ("other.obj", "other.obj", "found.obj"):
+            editor.part("question")
+            editor.do("Return")
+            editor.part(f"entry {name}")  # the dialog begins in the folder of the journal
+            editor.type(name)
+            editor.do("Return")
+        editor.wait_for_title("job.kerf* - Kerf")
+        report = editor.quit()
+        self.assertEqual((report["files"], report["strokes"]), (["job.kerf"], 1))
 
     def test_a_suggested_name_is_replaced_by_typing_every_time(self):
         editor = self.open(SPHERE)

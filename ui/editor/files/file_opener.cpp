@@ -383,12 +383,13 @@ void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocum
                {"Later", "Ask again at the next start (Esc, L).", 'L'}};
 }
 
-void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const fs::path& mesh) {
+void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const fs::path& mesh,
+                            const std::string& refused) {
   decisions.about = Decisions::About::kMissingMesh;
   Question& q = decisions.question = Question();
-  q.title = "Mesh file not found";
-  q.text =
-      name + " needs " + mesh.filename().string() + ", which is not in " + mesh.parent_path().string() + ".";
+  q.title = refused.empty() ? "Mesh file not found" : "Wrong mesh file";
+  q.text = (refused.empty() ? "" : refused + " ") + name + " needs " + mesh.filename().string() +
+           ", which is not in " + mesh.parent_path().string() + ".";
   q.choices = {{"Find...", "Select the file where it is now (Enter, F).", 'F'},
                {"Cancel", "Do not open " + name + " (Esc, C).", 'C'}};
 }
@@ -624,17 +625,26 @@ void FileOpener::take_loaded() {
 
 void FileOpener::open_with(const std::filesystem::path& mesh) {
   KERF_ASSERT(missing_);
-  auto [order, missing] = *std::exchange(missing_, std::nullopt);
-  order.moved[missing] = mesh;
+  MissingMesh missing = *std::exchange(missing_, std::nullopt);
+  LoadRequest& order = missing.order;
+  replaced_mesh_ = missing.mesh;
+  found_ = mesh;
+  order.moved[replaced_mesh_] = found_;
   workspace_.message.clear();
   workspace_.opening.loader.start(std::move(order), stage_is_empty_);
 }
 
 void FileOpener::give_up() {
   KERF_ASSERT(missing_);
-  const auto [order, mesh] = *std::exchange(missing_, std::nullopt);
+  const auto [order, mesh, refused] = *std::exchange(missing_, std::nullopt);
   workspace_.message.error(order.name() + " was not opened: its mesh file " + mesh.string() + " is missing");
   if (order.left) workspace_.opening.recoverable.clear();  // the files are kept for the next start
+}
+
+// Returns true if an error of reading concerns the file of the last open_with().
+bool FileOpener::is_wrong_mesh(const LoadRequest& order, const std::string& error) const {
+  const auto moved = order.moved.find(replaced_mesh_);
+  return moved != order.moved.end() && moved->second == found_ && error.starts_with(found_.string());
 }
 
 void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
@@ -644,7 +654,14 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
     show(std::move(*loaded));
     uploads_ = true;
   } else if (const auto mesh = missing_mesh(order)) {
-    missing_ = {std::move(order), *mesh};
+    missing_ = {std::move(order), *mesh, ""};
+    return;
+  } else if (is_wrong_mesh(order, loaded.error().message)) {
+    const bool has_hash = left || is_journal(order.files.front());
+    const std::string why = has_hash ? found_.filename().string() + " is not the mesh of " + order.name()
+                                     : loaded.error().message;
+    order.moved.erase(replaced_mesh_);
+    missing_ = {std::move(order), replaced_mesh_, why + "."};
     return;
   } else {
     workspace_.message.error((left ? "Recovery failed; the recovery file was kept: " : "") +

@@ -95,8 +95,10 @@ bool may_leave(Decisions& decisions, const DocumentSession& session, const std::
 // Asks about the first recoverable document, if there is one.
 void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable);
 
-// Asks what to do about a mesh file of `name` that is missing.
-void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const std::filesystem::path& mesh);
+// Asks what to do about a mesh file of `name` that is missing. `refused`: the reason why the last selected
+// file was not read instead, a sentence, or empty.
+void ask_about_missing_mesh(Decisions& decisions, const std::string& name, const std::filesystem::path& mesh,
+                            const std::string& refused);
 
 enum class Decision {
   kNone,
@@ -139,6 +141,7 @@ class FileOpener {
   struct MissingMesh {
     LoadRequest order;
     std::filesystem::path mesh;
+    std::string refused;  // the reason why the last file of open_with() was not read, or empty
   };
   const std::optional<MissingMesh>& missing() const { return missing_; }
   // Opens the files again with another mesh file, or gives up. Precondition: missing().
@@ -178,12 +181,15 @@ class FileOpener {
   Status open_default_scene();
   void show_empty_stage();
   void take(Result<LoadedFiles> loaded, LoadRequest order);
+  bool is_wrong_mesh(const LoadRequest& order, const std::string& error) const;
   void show(LoadedFiles loaded);
 
   Workspace& workspace_;
   Recovery& recovery_;
   std::filesystem::path default_scene_;
   std::optional<MissingMesh> missing_;
+  std::filesystem::path found_;  // mesh file of the last open_with(), and the missing one that it replaces
+  std::filesystem::path replaced_mesh_;
   bool stage_is_empty_ = false;
   bool uploads_ = false;                      // the faces of the opened files
   std::optional<ReplacedDocument> replaced_;  // kept during the upload; nullopt: none was open

@@ -384,10 +384,13 @@ class FilesFeature : public Feature {
     if (!opener_.missing() || decisions_.question.open() || workspace_.services.browser.open) return;
     if (has_asked_about_mesh_) return opener_.give_up();
     has_asked_about_mesh_ = true;
-    ask_about_missing_mesh(decisions_, opener_.missing()->order.name(), opener_.missing()->mesh);
+    const FileOpener::MissingMesh& missing = *opener_.missing();
+    ask_about_missing_mesh(decisions_, missing.order.name(), missing.mesh, missing.refused);
   }
+  // Begins in the folder of the scene or journal.
   void select_missing_mesh() {
     if (!opener_.missing()) return;
+    const LoadRequest& order = opener_.missing()->order;
     browse(workspace_.services.browser,
            {.title = "Find Mesh File",
             .verb = "Open",
@@ -395,12 +398,13 @@ class FilesFeature : public Feature {
             .only = FileKind::kMeshes,
             .take =
                 [this](const fs::path& file) {
+                  has_asked_about_mesh_ = false;
                   if (opener_.missing()) opener_.open_with(file);
                   return "";
                 },
             .previewed_as = &workspace_.settings,
             .thumbnails = &workspace_.services.thumbnails},
-           workspace_.settings.folder, "");
+           order.left ? workspace_.settings.folder : order.files.front().parent_path(), "");
   }
   void save() {
     if (workspace_.session.file.empty()) return select_file_to_save();
@@ -415,14 +419,16 @@ class FilesFeature : public Feature {
     watch_again();
     if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
   }
-  // Saves to a file of the dialog, which opens again with the error if that fails.
-  void save_as(const fs::path& file) {
+  // Saves to a file of the dialog. If that fails, the dialog opens again in its folder with the error, and
+  // `folder` is the remembered one.
+  void save_as(const fs::path& file, const fs::path& folder) {
     save_to(file);
     if (!workspace_.message.is_error) return;
+    workspace_.settings.folder = folder;
     std::error_code error;
     const bool has_folder = fs::is_directory(file.parent_path(), error);
-    if (has_folder) workspace_.settings.folder = file.parent_path();
-    select_file_to_save((has_folder ? file.filename() : file).string());
+    select_file_to_save((has_folder ? file.filename() : file).string(),
+                        has_folder ? file.parent_path() : folder);
     workspace_.services.browser.fault = workspace_.message.text;
   }
   void select_file_to_open() {
@@ -439,20 +445,24 @@ class FilesFeature : public Feature {
             .thumbnails = &workspace_.services.thumbnails},
            workspace_.settings.folder, "");
   }
-  void select_file_to_save() { select_file_to_save(suggested_name(workspace_.session)); }
-  void select_file_to_save(const std::string& name) {
+  void select_file_to_save() {
+    select_file_to_save(suggested_name(workspace_.session), workspace_.settings.folder);
+  }
+  void select_file_to_save(const std::string& name, const fs::path& begins_in) {
     browse(workspace_.services.browser,
            {.title = "Save",
             .verb = "Save",
             .hint = "File name: .kerf keeps everything, .json the scene without the cuts",
             .endings = {".kerf", ".json"},
             .take =
-                [this](const fs::path& file) {
+                [this, folder = workspace_.settings.folder](const fs::path& file) {
                   workspace_.changes.enqueue(
-                      {.name = "Save", .run = [this, file] { return save_as(file), true; }, .always = true});
+                      {.name = "Save",
+                       .run = [this, file, folder] { return save_as(file, folder), true; },
+                       .always = true});
                   return "";
                 }},
-           workspace_.settings.folder, name);
+           begins_in, name);
   }
   void take_picture(Captured what) {
     const Window& window = *workspace_.screen.window;

@@ -240,7 +240,8 @@ class Dialogs : public Feature {
                  static_cast<float>(picture.at.y + ImGui::GetFontSize()));
     const bool was_open = workspace_.services.browser.open;
     draw_file_browser(workspace_.services.browser);
-    if (was_open && !workspace_.services.browser.open)
+    const FileBrowser& browser = workspace_.services.browser;
+    if (was_open && !browser.open && browser.fault.empty())
       workspace_.settings.folder = workspace_.services.browser.folder;
   }
   void add_landmarks(Landmarks& landmarks) const override {

@@ -247,7 +247,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.stage.draw(subject);
   passes_.bodies.draw(subject, subject.world.loaded_bounds().diagonal());
   if (options.show.face_numbers) passes_.numbers.draw(subject, frame_, picture);
-  if (options.show.heat)
+  if (options.show.heat && options.legends)
     draw_heat_bar(end_of_heat_scale(subject.world), passes_.numbers, picture.shape().height);
   if (options.show.shadow_compare) draw_comparison(subject, picture);
 }

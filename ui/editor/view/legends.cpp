@@ -15,6 +15,7 @@
 #include "ui/editor/shared/user_input.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/view/lights.h"
+#include "ui/render/passes/heat_colours.h"
 #include "ui/render/passes/mark_passes.h"
 #include "ui/render/view/colours.h"
 #include "ui/window/number_text.h"
@@ -93,8 +94,6 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
                {0xee8f2e, "split less"},
                {0xa23a36, "split least"},
                {0x48535f, "as loaded"}}};
-    case SwitchId::kHeat:
-      return {"Temperature (K)", {sentence("scale at the lower left,"), sentence("up to the melting point")}};
     case SwitchId::kBoxes:
       return legend_of_boxes(look);
     case SwitchId::kBoxesHit:
@@ -118,6 +117,7 @@ Legend legend_of(SwitchId view, const ViewOptions& look, const ShadowStatistics&
       return {"Centres of Mass", {{kAwake, "awake"}, {kAsleep, "asleep"}, {kPinned, "pinned"}}};
     case SwitchId::kJoints:
       return {"Joints", {{kHinge, "hinges"}, {kHub, "hubs"}, {kWeld, "welds"}}};
+    case SwitchId::kHeat:
     case SwitchId::kShadows:
     case SwitchId::kRimGlow:
     case SwitchId::kWire:
@@ -212,6 +212,8 @@ void draw_legend(const Legend& legend, ImVec2 at, ImVec2 size, ImDrawList& list)
     list.AddText({pen.x + (row.swatch ? 1.4f * em : 0), pen.y}, colours::secondary(), row.meaning.c_str());
   }
 }
+
+constexpr double kCoarseFrom = 1000;  // K, upper end of a scale that is labelled every 500 K
 
 class DisplayPanel {
  public:
@@ -377,10 +379,13 @@ class ViewFeature : public Feature {
   void draw_overlay(ImDrawList& list) override {
     draw_ground_line(workspace_.view, workspace_.world(), list);
     draw_axes_gizmo(workspace_.view, workspace_.input.pointer_in_viewport(), list);
-    workspace_.view.legends = draw_legends(
-        legends_of(workspace_.view.look, workspace_.services.statistics.shadows),
-        right_of_toolbar(workspace_.view, workspace_.view.layout.split() ? under_label(workspace_.view.layout)
-                                                                         : workspace_.view.below_header()));
+    const ViewOptions& look = workspace_.view.look;
+    std::vector<Legend> legends = legends_of(look, workspace_.services.statistics.shadows);
+    if (look.show.heat) legends.push_back(legend_of_heat(end_of_heat_scale(workspace_.world())));
+    workspace_.view.legends =
+        draw_legends(legends, right_of_toolbar(workspace_.view, workspace_.view.layout.split()
+                                                                    ? under_label(workspace_.view.layout)
+                                                                    : workspace_.view.below_header()));
   }
   void add_landmarks(Landmarks& landmarks) const override {
     for (const AxisEnd& end : axis_ends(workspace_.view)) landmarks.mark(name_of(end), {end.at, Vec2(0)});
@@ -499,6 +504,22 @@ std::vector<Legend> legends_of(const ViewOptions& look, const ShadowStatistics& 
       legends.push_back(std::move(legend));
   }
   return legends;
+}
+
+Legend legend_of_heat(double hottest) {
+  KERF_ASSERT(hottest > kAmbient);
+  const double step = hottest > kCoarseFrom ? 500 : 100;
+  std::vector<double> labelled{hottest};
+  for (double t = step * std::floor(hottest / step); t > kAmbient; t -= step) {
+    if (std::min(hottest - t, t - kAmbient) > 0.25 * step) labelled.push_back(t);
+  }
+  labelled.push_back(kAmbient);
+  Legend legend{"Temperature", {}};
+  for (const double t : labelled) {
+    legend.rows.push_back({hex_of(heat_colour((t - kAmbient) / (hottest - kAmbient))), text_of("%.0f K", t)});
+  }
+  legend.rows.front().meaning += ", melting point";
+  return legend;
 }
 
 Area draw_legends(const std::vector<Legend>& legends, const Area& picture) {

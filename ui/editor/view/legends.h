@@ -24,6 +24,10 @@ struct Legend {
 // Returns the legends of all enabled views with colours, in the order of view_switches().
 std::vector<Legend> legends_of(const ViewOptions& look, const ShadowStatistics& shadows);
 
+// Returns the scale of the temperature view, from the ambient to `hottest` [K], the largest first.
+// Precondition: `hottest` is above the ambient.
+Legend legend_of_heat(double hottest);
+
 // Draws the legends below each other from the upper left corner of a viewport, as many as fit. Returns the
 // covered area.
 Area draw_legends(const std::vector<Legend>& legends, const Area& picture);

@@ -23,6 +23,17 @@ TEST(Legends, every_coloured_view_has_a_title_and_explains_its_colours) {
   }
 }
 
+TEST(Legends, the_scale_of_temperatures_descends_to_the_ambient_in_round_steps) {
+  const auto meanings = [](double hottest) {
+    std::vector<std::string> all;
+    for (const Legend::Row& row : legend_of_heat(hottest).rows) all.push_back(row.meaning);
+    return all;
+  };
+  using All = std::vector<std::string>;
+  EXPECT_EQ(meanings(1811), (All{"1811 K, melting point", "1500 K", "1000 K", "500 K", "293 K"}));
+  EXPECT_EQ(meanings(520), (All{"520 K, melting point", "400 K", "293 K"}));
+}
+
 TEST(Legends, shadow_colours_have_a_meaning_each) {
   ViewOptions look;
   look.show.shadow_stencil = look.show.silhouette = true;

@@ -168,8 +168,10 @@ std::string summary(const PathWork& path, const ViewState& view) {
     way += way_of(stroke);
     seconds += duration_of(stroke);
   }
-  return count_text(path.strokes().size(), "stroke") + ", " + count_text(path.points(), "point") +
-         ", length " + length_label(way, view.frame.unit) + ", " + text_of("%.3g s", seconds);
+  const std::string counts =
+      count_text(path.strokes().size(), "stroke") + ", " + count_text(path.points(), "point");
+  if (way == 0 && seconds == 0) return counts;
+  return counts + ", length " + length_label(way, view.frame.unit) + ", " + text_of("%.3g s", seconds);
 }
 
 // Returns the point with this number, counted over all strokes.

@@ -50,7 +50,7 @@ constexpr std::array kTabs{
             Icon::kEye},
     TabLook{Tab::kPhysics, "physics", "Physics", "Falling bodies and time.", "Alt+3", Icon::kMove},
     TabLook{Tab::kThermal, "thermal", "Thermal", "Material and temperature.", "Alt+4", Icon::kThermometer},
-    TabLook{Tab::kMesh, "mesh", "Mesh", "Repair, subdivision, simplification and file contents.", "Alt+5",
+    TabLook{Tab::kMesh, "mesh", "Mesh", "Subdivision, simplification and file contents.", "Alt+5",
             Icon::kMesh}};
 
 void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {

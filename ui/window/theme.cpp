@@ -94,6 +94,7 @@ void set_colours(ImGuiStyle& style, const GuiLook& look) {
   set(ImGuiCol_SeparatorActive, accent);
   set(ImGuiCol_ModalWindowDimBg, IM_COL32(0, 0, 0, 255), 0.45f);
   set(ImGuiCol_NavHighlight, accent);
+  set(ImGuiCol_PlotHistogram, accent, 0.5f);  // of progress bars, under their text
   set(ImGuiCol_TextSelectedBg, accent, 0.35f);
 }
 

@@ -114,6 +114,8 @@ BeamPicture beam_of(const Document& document, size_t step) {
   return beam;
 }
 
+constexpr const char* kCompareTip =
+    "Cuts the last stroke at five edge lengths and charts faces against the error of the rim.";
 constexpr double kCar = 4.5;  // m, diagonal of a world with particles of the default size
 
 constexpr std::array kHints{
@@ -272,7 +274,7 @@ class LaserFeature : public Feature {
   std::vector<UserAction> actions() override {
     return joined({{tool_action(workspace_, kLaserTool, "Laser", "L",
                                 "Cuts the mesh where you drag with the left button."),
-                    recut_action()},
+                    recut_action(), compare_action()},
                    laser_actions()});
   }
   std::vector<Gesture> gestures() const override { return {{"cut", "Left drag", "Cut under the pointer"}}; }
@@ -374,13 +376,15 @@ class LaserFeature : public Feature {
   }
   // Offers the last stroke at five resolutions; a click on one takes it.
   void draw_chart(const char* disabled_reason) {
-    if (row_button(
-            chart_.busy() ? "Cutting..." : "Compare Five Resolutions", 1, disabled_reason,
-            "Cuts the last stroke at five edge lengths and charts faces against the error of the rim."))
+    if (row_button(chart_.busy() ? "Cutting..." : "Compare Five Resolutions", 1, disabled_reason,
+                   kCompareTip))
       chart_.begin(workspace_.session.document);
     if (!workspace_.session.document.history().last_cut()) return;
     const double radius = workspace_.session.document.history().last_settings().laser.radius;
-    const auto fraction = chart_.draw(radius, workspace_.view.frame.unit);
+    const ResolutionControls& now = workspace_.laser.resolution;
+    const auto current =
+        now.rule == Resolution::Rule::kTargetEdge ? std::optional(now.edge_fraction) : std::nullopt;
+    const auto fraction = chart_.draw(radius, workspace_.view.frame.unit, current);
     if (!fraction) return;
     workspace_.laser.resolution.rule = Resolution::Rule::kTargetEdge;
     workspace_.laser.resolution.edge_fraction = *fraction;
@@ -434,6 +438,11 @@ class LaserFeature : public Feature {
       ring.push_back(to_im(workspace_.input.pointer + shown * from));
     }
     return ring;
+  }
+  UserAction compare_action() {
+    return make_action("laser.compare_resolutions", "Compare Five Resolutions", "", kCompareTip,
+                       [this] { chart_.begin(workspace_.session.document); },
+                       {.disabled_reason = [this] { return recut_.disabled_reason(); }});
   }
   UserAction recut_action() {
     return make_action("laser.recut", "Recompute Last Cut", "R",

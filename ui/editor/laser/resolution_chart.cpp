@@ -152,7 +152,8 @@ void ResolutionChart::advance(Document& document, double seconds) {
   if (++next_ == kFractions.size()) twin_.forget();
 }
 
-std::optional<double> ResolutionChart::draw(double radius, FileUnit unit) const {
+std::optional<double> ResolutionChart::draw(double radius, FileUnit unit,
+                                            std::optional<double> current) const {
   if (samples_.empty()) return std::nullopt;
   const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -174,9 +175,11 @@ std::optional<double> ResolutionChart::draw(double radius, FileUnit unit) const 
     if (!nearest || std::abs(places[i].x - pointer.x) < std::abs(places[*nearest].x - pointer.x)) nearest = i;
   }
   list.AddPolyline(places.data(), static_cast<int>(places.size()), colours::secondary(), 0, 1.5f);
-  for (size_t i = 0; i < places.size(); ++i)
+  for (size_t i = 0; i < places.size(); ++i) {
     list.AddCircleFilled(places[i], nearest == i ? 5.0f : 3.5f,
                          nearest == i ? colours::accent() : colours::text());
+    if (current == samples_[i].fraction) list.AddCircle(places[i], 7, colours::accent(), 0, 1.5f);
+  }
   list.AddText({at.x + 0.4f * em, at.y + 0.2f * em}, colours::secondary(),
                range_of_heights(samples_, unit).c_str());
   const std::string right = range_of_faces(samples_);

@@ -64,9 +64,9 @@ class ResolutionChart {
   // The finished samples, coarse to fine.
   const std::vector<Sample>& samples() const { return samples_; }
 
-  // Draws the samples in the current panel: faces to the right, errors upwards, both logarithmic. Returns the
-  // fraction that was clicked.
-  std::optional<double> draw(double radius, FileUnit unit) const;
+  // Draws the samples in the current panel: faces to the right, errors upwards, both logarithmic. A ring
+  // marks the sample of the fraction `current`. Returns the fraction that was clicked.
+  std::optional<double> draw(double radius, FileUnit unit, std::optional<double> current) const;
 
  private:
   TwinCut twin_;

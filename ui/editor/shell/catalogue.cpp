@@ -56,7 +56,7 @@ const std::vector<MenuLayout> kMenus{
     {"Tool",
      {"tool.laser", "tool.knife", "tool.pick", "tool.inspect", "tool.ruler", "tool.path", "tool.drawing",
       kLine,
-      "laser.recut", kLine,
+      "laser.recut", "laser.compare_resolutions", kLine,
       "stages.step_mode", "stages.step_last_cut", "stages.play", "stages.next", "stages.previous",
       "stages.finish_segment", "stages.finish_stroke"}},
     {"Path",

@@ -191,9 +191,9 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal) {
   return settings;
 }
 
-double default_heat_width(double radius) {
+double default_heat_width(double radius, double metre) {
   constexpr double kGlowsForSeconds = 0.006;  // m, of steel
-  return std::min(8 * radius, 2 * std::sqrt(kGlowsForSeconds * radius));
+  return std::min(8 * radius, 2 * std::sqrt(kGlowsForSeconds * metre * radius));
 }
 
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings) {

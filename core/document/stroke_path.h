@@ -79,8 +79,9 @@ CutSettings default_settings(const StrokePath& stroke, double diagonal);
 // Returns the default width of the heat-affected zone of geometric cuts in the editor [m] (see
 // CutSettings::heat_width) for a beam of this radius [m]: twice the geometric mean of the radius and 6 mm, a
 // width over which steel glows for a few seconds, but at most eight radii. It grows with the radius, so that
-// the glowing rim of a wide beam stays visible from a distance that shows the whole cut.
-double default_heat_width(double radius);
+// the glowing rim of a wide beam stays visible from a distance that shows the whole cut. `metre`: a metre in
+// the unit of the radius and of the result, such as 1000 for millimetres.
+double default_heat_width(double radius, double metre = 1);
 
 // Returns the commands that draw a stroke, with times relative to its first key. Precondition: it has a key.
 std::vector<Command> stroke_commands(const StrokePath& stroke, const CutSettings& settings);

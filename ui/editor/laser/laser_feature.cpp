@@ -310,6 +310,7 @@ class LaserFeature : public Feature {
     workspace_.beam.hold_beam(workspace_.session.document, workspace_.screen.clock->seconds());
   }
   void after_queue(double seconds) override {
+    workspace_.laser.metre = 1 / metres_per_unit(workspace_.view.frame.unit);
     if (!workspace_.changes.is_pending()) chart_.advance(workspace_.session.document, kChartSeconds);
     if (!workspace_.changes.is_pending()) {
       progress_.follow(workspace_.session.document, workspace_.links.holds_back(), seconds);

@@ -523,7 +523,7 @@ std::string energy_text(const World& world) {
 
 void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
   double width = laser.width_of_heat();
-  const LengthUnit in = label_unit(default_heat_width(laser.radius), unit);
+  const LengthUnit in = label_unit(laser.standard_width_of_heat(), unit);
   if (length_field(fields_, "HAZ Width", width, in,
                    "Width of the heat-affected zone, from the melting point at the rim to ambient. 0: none, "
                    "-1: automatic.",

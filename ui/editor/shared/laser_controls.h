@@ -50,13 +50,15 @@ struct LaserControls {
   double power = 2000;               // W, of the thermal model
   bool oxygen = false;               // likewise, see Assist
   std::optional<double> heat_width;  // m, set by the user (see CutSettings); nullopt: default_heat_width
+  double metre = 1;                  // in the unit of the file, which the lengths here have
   double planned_speed = 0;          // m/s, of the next strokes if they are planned; 0: unknown
 
   static constexpr double kMinPower = 1, kMaxPower = 20'000;
   // Limit of the radius: the default divided or multiplied by this factor.
   static constexpr double kRadiusSpan = 20;
 
-  double width_of_heat() const { return heat_width.value_or(default_heat_width(radius)); }
+  double width_of_heat() const { return heat_width.value_or(standard_width_of_heat()); }
+  double standard_width_of_heat() const { return default_heat_width(radius, metre); }
 
   // Returns the beam, with the default range.
   Laser beam() const {

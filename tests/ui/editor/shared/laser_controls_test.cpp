@@ -13,6 +13,11 @@ TEST(LaserControls, add_heat_to_a_geometric_cut_unless_disabled) {
   EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.024);
   laser.radius = 0.0002;
   EXPECT_DOUBLE_EQ(laser.settings(5).heat_width, 0.0016);
+  laser.metre = 1000;
+  laser.radius = 0.2;
+  EXPECT_DOUBLE_EQ(laser.settings(5000).heat_width, 1.6);
+  laser.radius = 6;
+  EXPECT_DOUBLE_EQ(laser.settings(5000).heat_width, 12);
   laser.heat_width = 0.001;
   EXPECT_EQ(laser.settings(5).heat_width, 0.001);
   laser.heat_width = 0;

@@ -147,6 +147,12 @@ AfterStep shown_by(LoadProgress* news, const LoadedFiles& loaded) {
   };
 }
 
+// Ends a stroke that was being drawn when the editor crashed, because no pointer continues it.
+Status end_stroke(Document& document, const QueueRun& how) {
+  document.apply(EndStroke{});
+  return run_queue(document, how);
+}
+
 // Returns true at the end of the journal. A step that fails here also failed in the recording.
 bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
                 const AfterStep& after_step) {
@@ -155,6 +161,7 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   how.told = [&](const Result<StepResult>&) -> Status { return after_step(), Done{}; };
   how.progress = &progress;
   if (!replay.run(how)) return false;
+  if (loaded.order.left && !end_stroke(loaded.document, how)) return false;
   loaded.marks = journal.marks;
   loaded.damaged = !journal.damage.empty();
   if (loaded.damaged) {

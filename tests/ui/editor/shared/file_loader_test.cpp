@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "core/document/stroke_path.h"
 #include "core/mesh/mesh_file.h"
 #include "core/world/world.h"
 #include "tests/support/checkout.h"
@@ -59,6 +60,28 @@ TEST(FileLoader, defers_the_shadows_of_large_meshes) {
     EXPECT_EQ(loaded->prepared.begin()->second.caster == nullptr, later);
     EXPECT_NE(loaded->prepared.begin()->second.bases, nullptr);
   }
+}
+
+// No pointer continues it, and its rim is closed only at its end.
+TEST(FileLoader, recovery_ends_the_stroke_in_progress) {
+  StrokePath path;
+  path.radius = 0.1;
+  path.keys = {{{-0.5, 3, 0.1}, {0, -1, 0}}, {{0.5, 3, 0.1}, {0, -1, 0}}};
+  path.times = {0, 1};
+  Journal journal;
+  journal.scene.bodies = {body_of_file(kMeshes / "knot.obj")};
+  journal.commands = scene_stroke_commands(path, 5);
+  LoadRequest whole, open;
+  whole.left = journal;
+  journal.commands.pop_back();
+  open.left = journal;
+  const Result<LoadedFiles> drawn = load_files(whole, nullptr), ended = load_files(open, nullptr);
+  ASSERT_TRUE(drawn.ok() && ended.ok());
+  EXPECT_FALSE(ended->document.queue().in_stroke());
+  EXPECT_EQ(ended->document.waiting(), 0u);
+  EXPECT_GT(ended->document.history().totals().removed_faces, 0u);
+  EXPECT_EQ(state_hash(ended->document.world()), state_hash(drawn->document.world()));
+  EXPECT_EQ(ended->document.journal().size(), drawn->document.journal().size());
 }
 
 TEST(FileLoader, reports_why_a_file_cannot_be_read) {

@@ -496,14 +496,8 @@ class DrawingFeature : public Feature {
     if (with_knife_) laser.model = Model::kGeometric;
     const double diagonal = workspace_.world().bounds().diagonal();
     std::vector<Command> commands = laser.commands_of(*all, diagonal, with_knife_);
-    const auto cut = [commands = std::move(commands)](Document& document, const Progress* progress) {
-      Outcome outcome = document.run_whole(commands, progress);
-      if (!outcome.ok() && outcome.error().message == cancelled().message)
-        outcome.fail(failed("Drawing stopped; nothing was cut."));
-      return outcome;
-    };
     uncut_.begin(workspace_, with_knife_ ? std::vector<StrokePath>() : *all);
-    workspace_.changes.change("Cutting the drawing", false, cut,
+    workspace_.changes.change("Cutting the drawing", false, cut_along(std::move(commands), "Drawing"),
                               "Drawing cut. Tool > Drawing shows it again.");
     workspace_.links.cut_once = true;
     if (workspace_.input.tool == kDrawingTool) workspace_.input.tool = tool_before_;

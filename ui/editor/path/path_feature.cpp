@@ -457,13 +457,7 @@ class PathFeature : public Feature {
                                         ? workspace_.laser.commands_of(path_.strokes(), diagonal, false)
                                         : path_commands(path_.strokes(), diagonal, resolution);
     uncut_.begin(workspace_, path_.strokes());
-    const auto cut = [commands = std::move(commands)](Document& document, const Progress* progress) {
-      Outcome outcome = document.run_whole(commands, progress);
-      if (!outcome.ok() && outcome.error().message == cancelled().message)
-        outcome.fail(failed("Path stopped; nothing was cut."));
-      return outcome;
-    };
-    workspace_.changes.change("Cutting the path", false, cut, "Path cut.");
+    workspace_.changes.change("Cutting the path", false, cut_along(std::move(commands), "Path"), "Path cut.");
     workspace_.links.cut_once = true;
   }
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/base/assert.h"
+#include "core/cut/cut_step.h"
 #include "core/document/commands.h"
 #include "core/document/text/fields.h"
 #include "ui/editor/shared/command_labels.h"
@@ -35,6 +36,22 @@ PreparedBodies prepare(const World& world, const Delta& delta, const LoadedShadi
 bool pieces_may_return(const UndoStack& history) {
   if (history.size() > history.position()) return true;
   return history.position() > 0 && history.last().kind() == HistoryStep::Kind::kRecut;
+}
+
+// Returns true if a beam touches a body, or if there are commands other than those of strokes.
+bool may_cut(std::span<const Command> commands, const World& world) {
+  Laser laser;
+  Pose at;
+  return std::any_of(commands.begin(), commands.end(), [&](const Command& command) {
+    if (const auto* begin = std::get_if<BeginStroke>(&command)) {
+      laser = begin->settings.laser;
+      at = begin->pose;
+      return hits_anything(world, laser, at);
+    }
+    const auto* move = std::get_if<MoveBeam>(&command);
+    if (move == nullptr) return !std::holds_alternative<EndStroke>(command);
+    return hits_anything(world, laser, BeamMove{std::exchange(at, move->pose), move->pose, 0});
+  });
 }
 
 }  // namespace
@@ -177,6 +194,20 @@ WorldChanges::Change apply_all(std::vector<Command> commands) {
       all.append(document.apply(commands[i], progress));
     return all;
   };
+}
+
+WorldChanges::Change cut_along(std::vector<Command> commands, std::string what) {
+  return
+      [commands = std::move(commands), what = std::move(what)](Document& document, const Progress* progress) {
+        const size_t before = document.history().position();
+        Outcome outcome;
+        if (may_cut(commands, document.world())) outcome = document.run_whole(commands, progress);
+        if (!outcome.ok() && outcome.error().message == cancelled().message)
+          outcome.fail(failed(what + " stopped; nothing was cut."));
+        if (outcome.ok() && document.history().position() == before)
+          outcome.fail(failed(what + " meets no surface."));
+        return outcome;
+      };
 }
 
 WorldChanges::Change edit_all(std::vector<PieceId> pieces,

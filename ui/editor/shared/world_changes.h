@@ -204,6 +204,11 @@ class WorldChanges {
 // Returns a change that applies commands one after the other, for WorldChanges::change.
 WorldChanges::Change apply_all(std::vector<Command> commands);
 
+// Returns a change that draws the strokes and knife cuts of a path or a drawing as a whole (see
+// Document::run_whole). Fails, and leaves no entry in the history, if it is stopped or if they meet no body.
+// `what`: their name in messages, such as "Path".
+WorldChanges::Change cut_along(std::vector<Command> commands, std::string what);
+
 // Returns a change that applies a command to pieces in order, as each may move pieces to other bodies.
 WorldChanges::Change edit_all(std::vector<PieceId> pieces,
                               std::function<Command(const PieceId&)> command_for);

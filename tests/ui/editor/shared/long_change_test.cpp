@@ -4,6 +4,9 @@
 
 #include <thread>
 
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
+
 namespace kerf::test {
 namespace {
 
@@ -70,6 +73,31 @@ TEST(ChangeThread, does_not_outlive_its_owner) {
     thread.start(document, waiting.change());
   }
   EXPECT_FALSE(waiting.reported);
+}
+
+std::vector<Command> stroke_at(double x) {
+  CutSettings settings;
+  settings.laser.radius = 0.05;
+  settings.laser.range = {0, 10};
+  settings.resolution.target_edge = 0.05;
+  return {BeginStroke{settings, {{x, 1, -0.1}, {0, -1, 0}}}, MoveBeam{{{x, 1, 0.1}, {0, -1, 0}}},
+          EndStroke{}};
+}
+
+TEST(CutAlong, leaves_the_history_and_the_redo_alone_if_no_beam_meets_a_body) {
+  Document document(world_of(grid(4, 1)));
+  ASSERT_TRUE(cut_along(stroke_at(0), "Path")(document, nullptr).ok());
+  EXPECT_EQ(document.history().position(), 1u);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  const Outcome missed = cut_along(stroke_at(7), "Path")(document, nullptr);
+  ASSERT_FALSE(missed.ok());
+  EXPECT_EQ(missed.error().message, "Path meets no surface.");
+  EXPECT_EQ(document.history().position(), 0u);
+  EXPECT_EQ(document.history().size(), 1u);
+  std::vector<Command> both = stroke_at(7);
+  for (const Command& command : stroke_at(0)) both.push_back(command);
+  EXPECT_TRUE(cut_along(both, "Path")(document, nullptr).ok());
+  EXPECT_EQ(document.history().position(), 2u);
 }
 
 }  // namespace

@@ -371,12 +371,13 @@ std::string NumberEntry::shown(double value) const { return number_text(value, f
 std::optional<double> NumberEntry::entered(std::string_view text, double present) const {
   Message* message = entry_message();
   const auto refuse = [&](const std::string& reason) {
-    if (message != nullptr) message->error(std::string(name) + " stays " + shown(present) + ": " + reason);
+    if (message != nullptr) message->object(std::string(name) + " stays " + shown(present) + ": " + reason);
     return std::nullopt;
   };
   const Result<double> value = evaluate_number(text, read_unit(*this));
   if (!value) return refuse(value.error().message);
   if (range.positive && !(*value > 0)) return refuse("it must be more than 0");
+  if (message != nullptr) message->drop_objection();
   if (range.contains(*value)) return *value;
   const bool low = *value < range.least;
   const double limited = low ? range.least : range.most;

@@ -29,7 +29,8 @@ struct Message {
   void info(std::string sentence) { show(std::move(sentence), false); }
   void error(std::string sentence) { show(std::move(sentence), true); }
   void clear() { show({}, false); }
-  // Shows why an action is disabled. drop_objection() clears it, which the next action or press calls.
+  // Shows why an action is disabled or a number is refused. drop_objection() clears it, which the next
+  // action, press or accepted number calls.
   void object(std::string reason) {
     error(std::move(reason));
     is_objection_ = true;

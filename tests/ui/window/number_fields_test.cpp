@@ -47,6 +47,7 @@ TEST_F(NumberEntries, reject_values_that_must_be_positive) {
   EXPECT_FALSE(speed.entered("0", 3).has_value());
   EXPECT_EQ(message.text, "Speed stays 3 mm/s: it must be more than 0.");
   EXPECT_EQ(*speed.entered("3 m/s", 3), 3000);
+  EXPECT_EQ(message.text, "");
 }
 
 TEST_F(NumberEntries, use_the_unit_of_their_format) {

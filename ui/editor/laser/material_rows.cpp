@@ -469,7 +469,7 @@ std::string depth_text(const StepStatistics& statistics) {
 }
 
 std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {
-  const std::string watts = text_of("%.4g W", laser.power);
+  const std::string watts = text_of("%.5g W", laser.power);
   std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
   if (met.slant > kSlanted)
     thickness += text_of(" (%.3g mm along the beam)", 1000 * met.slant * met.sheet.thickness);
@@ -534,7 +534,7 @@ void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {
 void LaserHeatRows::draw_thermal(LaserControls& laser) {
   property("Power");
   real_slider({"Power", "##power", "Power of the beam. Double-click to type a number.", true}, laser.power,
-              LaserControls::kMinPower, LaserControls::kMaxPower, "%.4g W", kWatts);
+              LaserControls::kMinPower, LaserControls::kMaxPower, "%.5g W", kWatts);
   mark_last_item("laser power");
   property("Oxygen");
   ImGui::Checkbox("##oxygen", &laser.oxygen);

@@ -14,6 +14,8 @@ TEST(Forecast, is_shown_with_and_without_a_path_speed) {
   const std::string with_speed = forecast_text(laser, sheet, 0.02, FileUnit::kMetre);
   EXPECT_NE(with_speed.find("2000 W at 20 mm/s cuts"), std::string::npos) << with_speed;
   EXPECT_NE(with_speed.find("this sheet is 1 mm"), std::string::npos) << with_speed;
+  laser.power = LaserControls::kMaxPower;
+  EXPECT_TRUE(forecast_text(laser, sheet, 0, FileUnit::kMetre).starts_with("20000 W cuts"));
 }
 
 TEST(Forecast, reports_insufficient_power_at_any_speed) {

@@ -1,4 +1,4 @@
-#include "ui/editor/path/path_feature.h"
+#include "ui/editor/path/hole_pattern.h"
 
 #include <gtest/gtest.h>
 

@@ -87,6 +87,15 @@ bool is_piece_name(std::string_view name) {
   return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits) + 1, name.end(), is_letter);
 }
 
+// Returns true for the name of a piece or report that a killed run had not finished, such as
+// .piece-0000.obj.4711-0.tmp (see AtomicFile).
+bool is_unfinished(std::string_view name) {
+  if (!name.starts_with('.') || !name.ends_with(".tmp")) return false;
+  name = name.substr(1, name.rfind('.') - 1);
+  name = name.substr(0, name.rfind('.'));
+  return name == kReport || is_piece_name(name);
+}
+
 // Returns the pieces that a report lists; none if it cannot be read.
 std::set<std::string> listed_pieces(const fs::path& report) {
   std::set<std::string> names;
@@ -115,9 +124,12 @@ class EarlierResult {
 
   const std::set<std::string>& pieces() const { return pieces_; }
 
-  // Renames the earlier report.
+  // Removes what killed runs left unfinished, and renames the earlier report.
   Status begin() const {
     std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
+      if (is_unfinished(entry.path().filename().string())) fs::remove(entry.path(), error);
+    }
     if (!fs::exists(report_, error)) return Done{};
     fs::rename(report_, kept_, error);
     if (error) return failed("cannot replace " + report_.string() + ": " + error.message());

@@ -203,29 +203,24 @@ void HoleForm::fit_to(double diagonal) {
   pattern_.hole_radius = diagonal / 40;
 }
 
-void HoleForm::add_holes(PathWork& path, const World& world, const std::vector<HoleOutline>& outlines,
-                         double radius, double speed) const {
+void HoleForm::add_holes(PathWork& path, const World& world, double radius, double speed) const {
   KERF_ASSERT(path.selected());
   const PathPoint point = *path.selected();
   const Pose beam = path.pose(point);
   const double distance = path.distance(point);
   std::vector<StrokePath> strokes = hole_strokes(pattern_, beam, radius), met;
-  KERF_ASSERT(strokes.size() == outlines.size());
+  KERF_ASSERT(strokes.size() == outlines_.size());
   for (size_t i = 0; i < strokes.size(); ++i) {
-    if (outlines[i].meets != HoleOutline::Meets::kNothing) met.push_back(std::move(strokes[i]));
+    if (outlines_[i].meets != HoleOutline::Meets::kNothing) met.push_back(std::move(strokes[i]));
   }
   path.begin_edit();
   path.add_strokes(met, world, distance, speed);
 }
 
-void HoleForm::draw_preview(const PathWork& path, const World& world, const ViewState& view,
-                            ImDrawList& list) {
-  if (!std::exchange(drawn_, false) || !path.selected()) return;
-  const PathPoint point = *path.selected();
+void HoleForm::draw_preview(const ViewState& view, ImDrawList& list) {
   const PrimaryViewport viewport(view);
   Vec2 low(INFINITY), high(-INFINITY);
-  for (const HoleOutline& outline :
-       hole_outlines(pattern_, path.pose(point), path.distance(point), world, view.look)) {
+  for (const HoleOutline& outline : std::exchange(outlines_, {})) {
     std::vector<ImVec2> places;
     for (const Vec3& p : outline.points) {
       const auto place = viewport.place_of(p);
@@ -242,7 +237,7 @@ void HoleForm::draw_preview(const PathWork& path, const World& world, const View
 
 void HoleForm::draw(PathWork& path, const World& world, const ViewOptions& look, double radius, double speed,
                     FileUnit unit) {
-  drawn_ = true;
+  outlines_.clear();
   fit_to(world.bounds().diagonal());
   if (!begin_properties("holes")) return;
   choice_row("Pattern", "##kind", pattern_.kind, "Grid\0Circle\0", "hole pattern", nullptr);
@@ -252,11 +247,10 @@ void HoleForm::draw(PathWork& path, const World& world, const ViewOptions& look,
   length_row(fields_, "Hole Radius", pattern_.hole_radius, unit,
              "Holes no wider than the beam are cut by a single burst.");
   end_properties();
-  std::vector<HoleOutline> outlines;
   if (const auto point = path.selected())
-    outlines = hole_outlines(pattern_, path.pose(*point), path.distance(*point), world, look);
+    outlines_ = hole_outlines(pattern_, path.pose(*point), path.distance(*point), world, look);
   const auto count = static_cast<size_t>(grid ? pattern_.rows * pattern_.columns : pattern_.count);
-  const size_t missing = count_missing(outlines), met = count - missing;
+  const size_t missing = count_missing(outlines_), met = count - missing;
   std::string label = "Add " + grouped(met) + (met == 1 ? " Hole" : " Holes");
   if (missing > 0) label += ", " + grouped(missing) + (missing == 1 ? " meets" : " meet") + " no surface";
   const char* disabled_reason = met == 0 ? "None of the holes meets a surface." : nullptr;
@@ -264,7 +258,7 @@ void HoleForm::draw(PathWork& path, const World& world, const ViewOptions& look,
   if (row_button((label + "###add holes").c_str(), 1, disabled_reason,
                  "Adds a stroke for each hole around the selected point, along its beam. Dashed holes meet a "
                  "surface in part."))
-    add_holes(path, world, outlines, radius, speed);
+    add_holes(path, world, radius, speed);
   mark_last_item("add holes");
 }
 

@@ -50,19 +50,18 @@ class HoleForm {
   void draw(PathWork& path, const World& world, const ViewOptions& look, double radius, double speed,
             FileUnit unit);
   // Draws the outlines of the holes around the selected point if the rows were drawn in the last frame.
-  void draw_preview(const PathWork& path, const World& world, const ViewState& view, ImDrawList& list);
+  void draw_preview(const ViewState& view, ImDrawList& list);
 
  private:
   void draw_grid(FileUnit unit);
   void draw_circle(FileUnit unit);
   void fit_to(double diagonal);
-  void add_holes(PathWork& path, const World& world, const std::vector<HoleOutline>& outlines, double radius,
-                 double speed) const;
+  void add_holes(PathWork& path, const World& world, double radius, double speed) const;
 
   HolePattern pattern_;
   NumberFields fields_;
-  double fitted_to_ = 0;  // diagonal [m] that the lengths were set from
-  bool drawn_ = false;    // in the last frame
+  double fitted_to_ = 0;               // diagonal [m] that the lengths were set from
+  std::vector<HoleOutline> outlines_;  // around the selected point, until they are drawn
 };
 
 }  // namespace kerf

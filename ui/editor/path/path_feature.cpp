@@ -152,7 +152,7 @@ class PathFeature : public Feature {
     const PrimaryViewport picture(workspace_.view);
     const Area& first = workspace_.view.layout.first;
     list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
-    panel_.draw_hole_preview(path_, workspace_.world(), workspace_.view, list);
+    panel_.draw_hole_preview(workspace_.view, list);
     draw_path(path_, workspace_.world(), picture, list);
     list.PopClipRect();
   }

@@ -22,9 +22,7 @@ class PathPanel {
   // --path. `beam`: of new points. `run_disabled_reason`: the reason why the path cannot be run, or null.
   void draw(PathWork& path, bool& at_panel_resolution, const ViewState& view, const World& world,
             const PathTool::Beam& beam, const char* run_disabled_reason, const PathActions& requests);
-  void draw_hole_preview(const PathWork& path, const World& world, const ViewState& view, ImDrawList& list) {
-    holes_.draw_preview(path, world, view, list);
-  }
+  void draw_hole_preview(const ViewState& view, ImDrawList& list) { holes_.draw_preview(view, list); }
   // Draw single rows. Precondition of the first: the path has points.
   void draw_speed(PathWork& path, FileUnit unit);
   void draw_resolution(bool& at_panel_resolution);

@@ -2,6 +2,7 @@
 and nothing is lost."""
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,12 +25,13 @@ class Limits(unittest.TestCase):
         with open(os.path.join(self.folder, "across.json"), "w") as file:
             json.dump(ACROSS, file)
 
-    def run_kerf(self, *arguments, without=(), limit="true", **more):
+    def run_kerf(self, *arguments, without=(), limit="true", folder="", **more):
         environment = {name: value for name, value in os.environ.items()
                        if name not in ("DISPLAY", "WAYLAND_DISPLAY", *without)}
         environment.update(more)
         command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)]
-        return subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=300)
+        return subprocess.run(command, cwd=folder or self.folder, env=environment, capture_output=True, text=True,
+                              timeout=300)
 
     def assert_one_sentence(self, done, *words, status=1):
         self.assertEqual(done.returncode, status, done.stderr)
@@ -80,6 +82,59 @@ class Limits(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(os.path.join(self.folder, "out.kerf")) as file:
             self.assertNotIn("most-faces", file.read())
+
+    def assert_equal_cut(self, what, **settings):
+        """Cuts in an environment; report and files have the bytes of all other environments."""
+        folder = os.path.join(self.folder, what)
+        os.makedirs(folder)
+        os.chmod(folder, 0o777)
+        shutil.copy(SPHERE, folder)
+        shutil.copy(os.path.join(self.folder, "across.json"), folder)
+        done = self.run_kerf("cut", "sphere.obj", "--path", "across.json", "--out", "out", "--journal", "out.kerf",
+                             folder=folder, **settings)
+        self.assertEqual(done.returncode, 0, f"{what}: {done.stderr}")
+        files = {}
+        for name in ("out/report.json", "out/piece-0000.obj", "out.kerf"):
+            with open(os.path.join(folder, name), "rb") as file:
+                files[name] = file.read()
+        report = json.loads(files.pop("out/report.json"))
+        files["state_hash"], files["summary"] = report["state_hash"], done.stdout + done.stderr
+        self.files = getattr(self, "files", files)
+        for name, content in files.items():
+            self.assertEqual(content, self.files[name], f"{what}: {name}")
+
+    def test_cuts_are_equal_in_every_environment(self):
+        self.assert_equal_cut("plain surroundings")
+        self.assert_equal_cut("one core", limit=f"taskset -cp {min(os.sched_getaffinity(0))} $$ >/dev/null")
+        self.assert_equal_cut("many threads", KERF_THREADS="64")
+        for lanes in ("plain", "sse4", "avx2"):
+            self.assert_equal_cut(lanes, KERF_SIMD=lanes)
+        self.assert_equal_cut("a zone ahead", TZ="LINT-14")
+        self.assert_equal_cut("a zone behind", TZ="AOE12")
+        self.assert_equal_cut("Übung İı 刀 'quoted' $HOME", limit="umask 077")
+        nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups"
+        if subprocess.run(["bash", "-c", f"{nobody} test -x '{KERF}'"], capture_output=True).returncode == 0:
+            self.assert_equal_cut("another user", limit=f'set -- {nobody} "$@"')
+
+    @unittest.skipUnless(os.path.exists("/usr/share/i18n/locales/tr_TR"), "needs the package locales")
+    def test_cuts_are_equal_in_every_locale(self):
+        self.assert_equal_cut("no locale", LC_ALL="C")
+        for locale in ("de_DE", "tr_TR", "fr_FR", "ar_EG", "hi_IN"):
+            subprocess.run(["localedef", "-c", "-i", locale, "-f", "UTF-8", os.path.join(self.folder, locale)],
+                           check=True, capture_output=True)
+            self.assert_equal_cut(f"as {locale}", LOCPATH=self.folder, LC_ALL=locale, LANGUAGE=locale[:2])
+
+    def test_a_full_disk_is_reported_and_leaves_no_files(self):
+        full = "mkdir small && mount -t tmpfs -o size=64k none small && " + \
+            "trap 'find small -type f | wc -l >left' EXIT; \"$@\"; exit $?"
+        done = subprocess.run(["unshare", "-rm", "bash", "-c", full, "kerf", KERF, "cut", SPHERE, "--path",
+                               "across.json", "--out", "small/out"],
+                              cwd=self.folder, capture_output=True, text=True, timeout=300)
+        if "unshare" in done.stderr or "mount" in done.stderr:
+            self.skipTest("needs user namespaces")
+        self.assert_one_sentence(done, "No space left on device")
+        with open(os.path.join(self.folder, "left")) as file:
+            self.assertEqual(file.read().strip(), "0")
 
     def test_cuts_and_renders_without_a_home_folder(self):
         bare = ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")

@@ -41,11 +41,14 @@ class PartsOff {
   void follow(const Match& match, MatchCourse& course) {
     const World& world = match.world();
     const Ticks now = match.standing().ticks;
+    note_touches(world);
     for (const Part& part : parts_) {
       if (part.due > now || !world.contains(part.id) || !world.contains(part.rest)) continue;
       MovedParts& parts = part.is_heavy ? course.heavy_parts : course.parts;
+      const bool moved = glm::distance(place(world, part.id, part.rest), part.from) >= kMoved;
       ++parts.all;
-      parts.moved += glm::distance(place(world, part.id, part.rest), part.from) >= kMoved;
+      parts.moved += moved;
+      parts.held += !moved && part.is_touched;
     }
     std::erase_if(parts_, [&](const Part& part) { return part.due <= now; });
     for (const Detached& d : match.delta().detached) {
@@ -64,11 +67,19 @@ class PartsOff {
     Vec3 from;
     Ticks due;
     bool is_heavy;
+    bool is_touched = false;  // whether another body or the ground touched the part since
   };
   // The centre of a body in the frame of another one.
   static Vec3 place(const World& world, BodyId part, BodyId rest) {
     const Body& body = world.body(part);
     return world.body(rest).placement.to_body(middle_of(body));
+  }
+
+  void note_touches(const World& world) {
+    for (const PairMemory& pair : world.contact_memory()) {
+      if (!pair.touching && pair.crossed == 0) continue;
+      for (Part& part : parts_) part.is_touched |= part.id == pair.first || part.id == pair.second;
+    }
   }
 
   std::vector<Part> parts_;

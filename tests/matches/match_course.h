@@ -6,9 +6,17 @@
 
 namespace kerf {
 
-// Parts that came off, and those of them that moved by 5 cm in time.
+// Parts that came off, those of them that moved by 5 cm in time, and those that did not since something
+// touched them.
 struct MovedParts {
-  size_t all = 0, moved = 0;
+  size_t all = 0, moved = 0, held = 0;
+
+  MovedParts& operator+=(const MovedParts& other) {
+    all += other.all;
+    moved += other.moved;
+    held += other.held;
+    return *this;
+  }
 };
 
 // How a match without a window went.

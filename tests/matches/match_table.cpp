@@ -105,10 +105,8 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
   size_t outlived = 0;
   MovedParts off, heavy;
   for (const MatchCourse& c : bots) {
-    off.all += c.parts.all;
-    off.moved += c.parts.moved;
-    heavy.all += c.heavy_parts.all;
-    heavy.moved += c.heavy_parts.moved;
+    off += c.parts;
+    heavy += c.heavy_parts;
   }
   for (const MatchCourse& c : still) {
     alive += !c.lost;
@@ -121,10 +119,12 @@ void print_level(Difficulty level, const std::vector<MatchCourse>& bots,
       "(median), first beam within %.0f s %zu, first part within "
       "%.0f s %zu, "
       "vital parts lost in a tick by several beams %zu, standing still alive after %.0f s %zu of %zu, %.0f s "
-      "after the first hit %zu, held %.1f s, parts that moved %zu of %zu, heavier ones %zu of %zu\n",
+      "after the first hit %zu, held %.1f s, parts that moved %zu of %zu (%zu were touched and stayed), "
+      "heavier "
+      "ones %zu of %zu (%zu)\n",
       name_of(level), won, all, median(lengths), median(lost), median(contacts), kFirstBeam, beams,
       kFirstPart, parts, at_once, kStill, alive, still.size(), kOutlives, outlived, held, off.moved, off.all,
-      heavy.moved, heavy.all);
+      off.held, heavy.moved, heavy.all, heavy.held);
 }
 
 struct Wanted {

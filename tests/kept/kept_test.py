@@ -2,12 +2,13 @@
 """Work that an earlier version saved still ends where it ended then: kept_test.py KERF replays each journal and recording
 beside this file to its hash in hashes.json.
 
-They were made with the editor and with `kerf cut`: strokes of many poses that cool, undo, redo and recut (geometric);
-a laser with power (thermal); strokes before and while bodies move, single ticks (bodies); pins and the spring (pins);
-pieces that are moved, copied, hidden, deleted (pieces); simplify, smooth, subdivide (prepare); welds and hinges of a
-scene (joints); a rim of faces (faces); a match of a bot (match). The meshes are copies, so that those of the assets
-may change. What a change breaks on purpose is made again by remake_journals, and its commit says what a user of such a
-file sees.
+They were made with the editor, with `kerf cut` and with the library: strokes of many poses that cool, undo, redo and
+recut (geometric); a laser with power (thermal); strokes before and while bodies move, single ticks (bodies); pins and
+the spring (pins); pieces that are moved, copied, hidden, deleted (pieces); simplify, smooth, subdivide (prepare);
+welds and hinges of a scene (joints); a rim of faces (faces); a solid with a cut material, cut by laser and knife
+(knife); a Kerf mesh with UVs and materials (looks); the lines of a drawing as one step, recut (drawing); a match of a
+bot (match). The meshes are copies, so that those of the assets may change. What a change breaks on purpose is made
+again by remake_journals, and its commit says what a user of such a file sees.
 """
 import json
 import os

@@ -1,29 +1,34 @@
 #!/usr/bin/env python3
-"""Runs fuzzers: run_fuzzers.py --folder FOLDER [--seconds N] TARGET...
+"""Runs fuzzers: run_fuzzers.py --folder FOLDER [--seconds N] [--quiet N] [--keep] TARGET...
 
-FOLDER holds the executables fuzz_TARGET. Each runs for N seconds from the saved corpus beside this file and from
-what earlier runs found in FOLDER/found/TARGET; two run at a time. Strokes run as long twice: short histories, some
-hundred a second, and long ones, a few a second, which begin from some of those found. Prints one line each, and where
-one breaks, what it said and the file that broke it, kept in FOLDER/findings. Exits 1 on a finding, 77 where there is
-no fuzzer.
+FOLDER holds the executables fuzz_TARGET. Each runs from the saved corpus beside this file and from what earlier runs
+found in FOLDER/found/TARGET, until `seconds` are over or `quiet` seconds have brought no new coverage; two run at a
+time. Strokes run as long twice: short histories, some hundred a second, and long ones, a few a second, which begin from
+some of those found. Prints a line each with the number of covered edges, and where one breaks, what it said and the
+file that broke it, kept in FOLDER/findings. `--keep` adds to the saved corpora what covers more, without what others
+cover as well. Exits 1 on a finding, 77 where there is no fuzzer.
 """
 import argparse
 import concurrent.futures
 import os
 import re
+import selectors
+import signal
 import subprocess
 import sys
+import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 AT_A_TIME = 2
+INTERRUPTED = 72  # how a fuzzer ends that was interrupted
 # A reader that allocates this for an input of some kilobytes trusted a count that the file cannot hold.
 LIMITS = ['-max_len=8192', '-timeout=10', '-rss_limit_mb=1024', '-malloc_limit_mb=64']
 # Each byte of a history is worked on longer. How often each feature was seen would take a fifth of the time.
 OF_STROKES = ['-timeout=180', '-report_slow_units=60', '-rss_limit_mb=2048', '-entropic=0']
 SHORT, LONG = ['-max_len=64', *OF_STROKES], ['-max_len=300', *OF_STROKES]
-OF_IMAGES = ['-max_len=8192', '-timeout=20', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
-OF_DRAWINGS = ['-max_len=8192', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
-OF_LIBRARY = ['-max_len=512', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']
+OF = {'images': ['-max_len=8192', '-timeout=20', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'],
+      'drawings': ['-max_len=8192', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024'],
+      'library': ['-max_len=512', '-timeout=60', '-rss_limit_mb=2048', '-malloc_limit_mb=1024']}
 MOST_LONG = 64  # that are kept for the next run to begin from: each takes a part of a second
 
 
@@ -34,39 +39,79 @@ def runs_of(targets):
             yield 'short_strokes', target, SHORT
             yield 'long_strokes', target, LONG
         else:
-            yield target, target, {'library': OF_LIBRARY, 'images': OF_IMAGES, 'drawings': OF_DRAWINGS}.get(target, LIMITS)
+            yield target, target, OF.get(target, LIMITS)
 
 
-def fuzz(folder, name, target, limits, seconds):
-    """(runs, exit status, what the fuzzer said)"""
+def environment():
+    # The leak check needs ptrace, which containers often refuse.
+    return {**os.environ, 'ASAN_OPTIONS': 'detect_leaks=0', 'UBSAN_OPTIONS': 'print_stacktrace=1',
+            'KERF_ASSERTS': 'fatal', 'KERF_THREADS': '1'}
+
+
+def saved_corpus(target):
+    return os.path.join(HERE, 'corpus', target)
+
+
+def follow(fuzzer, seconds, quiet):
+    """Reads what a fuzzer says to its end; interrupts it after `quiet` seconds without new coverage."""
+    said, covered, last, ended = [], 0, time.monotonic(), False
+    end = last + 2 * seconds + 300
+    selector = selectors.DefaultSelector()
+    selector.register(fuzzer.stderr, selectors.EVENT_READ)
+    while True:
+        if selector.select(timeout=1):
+            line = fuzzer.stderr.readline()
+            if not line:
+                return said, covered, ended
+            said.append(line)
+            found = re.search(r'\bcov: (\d+)', line)
+            if found and int(found[1]) > covered:
+                covered, last = int(found[1]), time.monotonic()
+        if not ended and time.monotonic() > last + quiet:
+            fuzzer.send_signal(signal.SIGINT)
+            ended = True
+        if time.monotonic() > end:
+            fuzzer.kill()
+            said.append(f'did not end within {2 * seconds + 300} s\n')
+
+
+def fuzz(folder, name, target, limits, seconds, quiet):
+    """(runs, covered edges, whether it broke, what the fuzzer said)"""
     found, findings = os.path.join(folder, 'found', name), os.path.join(folder, 'findings')
     os.makedirs(found, exist_ok=True)
     os.makedirs(findings, exist_ok=True)
     if limits is LONG:
         for path in sorted(os.path.join(found, file) for file in os.listdir(found))[MOST_LONG:]:
             os.remove(path)
-    corpus = os.path.join(HERE, 'corpus', target)
-    saved = [corpus] if limits is not SHORT and os.path.isdir(corpus) else []
+    saved = [saved_corpus(target)] if limits is not SHORT and os.path.isdir(saved_corpus(target)) else []
     command = [os.path.join(folder, 'fuzz_' + target), found, *saved,
                f'-artifact_prefix={findings}/{name}-', f'-max_total_time={seconds}', '-print_final_stats=1', *limits]
-    words = os.path.join(HERE, 'corpus', target + '.dict')
+    words = saved_corpus(target) + '.dict'
     command += [f'-dict={words}'] if os.path.exists(words) else []
-    # The leak check needs ptrace, which containers often refuse.
-    environment = {**os.environ, 'ASAN_OPTIONS': 'detect_leaks=0', 'UBSAN_OPTIONS': 'print_stacktrace=1',
-                   'KERF_ASSERTS': 'fatal', 'KERF_THREADS': '1'}
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, errors='replace', env=environment,
-                              timeout=2 * seconds + 300)
-    except subprocess.TimeoutExpired:
-        return 0, 1, f'did not end within {2 * seconds + 300} s'
-    runs = re.search(r'stat::number_of_executed_units:\s*(\d+)', done.stderr)
-    return int(runs[1]) if runs else 0, done.returncode, done.stderr
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors='replace',
+                          bufsize=1, env=environment()) as fuzzer:
+        said, covered, ended = follow(fuzzer, seconds, quiet)
+    runs = [int(line.split()[1]) for line in said if line.startswith('stat::number_of_executed_units')]
+    return runs[-1] if runs else 0, covered, fuzzer.returncode not in (0, INTERRUPTED if ended else 0), said
+
+
+def keep(folder, name, target, limits):
+    """Adds the smallest inputs with new coverage to the saved corpus; the number of its files and its bytes."""
+    corpus = saved_corpus(target)
+    os.makedirs(corpus, exist_ok=True)
+    found = os.path.join(folder, 'found', name)
+    subprocess.run([os.path.join(folder, 'fuzz_' + target), '-merge=1', corpus, found, *limits], capture_output=True,
+                   env=environment())
+    sizes = [os.path.getsize(os.path.join(corpus, file)) for file in os.listdir(corpus)]
+    return len(sizes), sum(sizes)
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--folder', required=True)
     parser.add_argument('--seconds', type=int, default=10)
+    parser.add_argument('--quiet', type=int, default=1 << 30, help='seconds without new coverage that end a run')
+    parser.add_argument('--keep', action='store_true', help='add inputs with new coverage to the saved corpora')
     parser.add_argument('targets', nargs='+')
     arguments = parser.parse_args()
     if arguments.seconds < 1:
@@ -77,12 +122,16 @@ def main():
     broken = 0
     with concurrent.futures.ThreadPoolExecutor(AT_A_TIME) as pool:
         planned = list(runs_of(arguments.targets))
-        results = pool.map(lambda run: fuzz(arguments.folder, *run, arguments.seconds), planned)
-        for (name, _, _), (runs, status, said) in zip(planned, results):
-            print(f'{name:13} {runs:12,} runs, {"1 finding" if status else "no finding"}', flush=True)
-            if status:
+        results = pool.map(lambda run: fuzz(arguments.folder, *run, arguments.seconds, arguments.quiet), planned)
+        for (name, target, limits), (runs, covered, broke, said) in zip(planned, results):
+            ending = '1 finding' if broke else 'no finding'
+            print(f'{name:13} {runs:12,} runs, {covered:7,} edges, {ending}', flush=True)
+            if broke:
                 broken += 1
-                print('\n'.join(said.strip().splitlines()[-60:]))
+                print(''.join(said[-60:]))
+            elif arguments.keep:
+                files, size = keep(arguments.folder, name, target, limits)
+                print(f'{"":13} {files} files of {size:,} bytes are saved', flush=True)
     return 1 if broken else 0
 
 

@@ -9,7 +9,7 @@ namespace {
 
 TEST(ColourText, round_trips_every_value) {
   for (int step = 0; step < 256; ++step) {
-    char text[8];
+    char text[32];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(step),
                   255u - static_cast<unsigned>(step), 7u);
     const auto colour = parse_colour(text);

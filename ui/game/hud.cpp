@@ -450,8 +450,9 @@ void HudPaint::text(ImVec2 at, const std::string& text, ImU32 colour, float scal
 }
 
 void HudPaint::bar(ImVec2 at, float width, const char* name, double share, ImU32 colour, bool striped) const {
-  const float height = 0.55f * em_;
-  text({at.x - 0.6f * em_, at.y - 0.3f * em_}, name, colours::kPictureText, 0.9f, Align::kRight);
+  const float height = 0.55f * em_, scale = 0.9f;
+  text({at.x - 0.6f * em_, at.y + 0.5f * (height - scale * em_)}, name, colours::kPictureText, scale,
+       Align::kRight);
   list_.AddRectFilled({at.x - 2, at.y - 2}, {at.x + width + 2, at.y + height + 2}, kEdge, 3);
   const float end = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
   list_.AddRectFilled(at, {end, at.y + height}, colour, 2);

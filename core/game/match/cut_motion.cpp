@@ -1,6 +1,7 @@
 #include "core/game/match/cut_motion.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/assert.h"
 #include "core/game/vehicle/vehicle.h"
@@ -9,11 +10,11 @@ namespace kerf {
 
 namespace {
 
-constexpr double kMemory = 0.9;                  // of the motion of a cut, per tick with a cut
-constexpr double kAcross = 0.8, kAlong = 0.4;    // m/s
-constexpr double kTurn = 1.5, kHeavyTurn = 0.5;  // rad/s
-constexpr double kPop = 2, kPopTurn = 4;         // m/s and rad/s
-constexpr double kPopUp = 0.35;                  // fraction of the speed
+constexpr double kMemory = 0.9;                            // of the motion of a cut, per tick with a cut
+constexpr double kAcross = 0.8, kAlong = 0.4;              // m/s
+constexpr double kTurn = 1.5, kHeavyTurn = 0.5, kTip = 1;  // rad/s
+constexpr double kPop = 2, kPopTurn = 4;                   // m/s and rad/s
+constexpr double kPopUp = 0.35;                            // fraction of the speed
 
 Vec3 unit_or_zero(const Vec3& v) {
   const double length = glm::length(v);
@@ -34,6 +35,33 @@ Vec3 across_cut(const Vec3& apart, const CutTrail* trail) {
   if (side != 0) return side > 0 ? normal : -normal;
   const Vec3 way = unit_or_zero(apart);
   return way != Vec3(0) ? way : Vec3(0, 1, 0);
+}
+
+// The direction from the rest to a part across the cut between them.
+Vec3 across_between(const Body& rest, const Body& part, const CutTrail* trail) {
+  const Vec3 from = rest.tree.leaf_count() > 0 ? centre_of(rest) : trail ? trail->at : centre_of(part);
+  return across_cut(centre_of(part) - from, trail);
+}
+
+Vec3 horizontal(const Vec3& v) { return unit_or_zero({v.x, 0, v.z}); }
+
+// The horizontal direction across the length of a heavy body that is at least twice as long as wide, to the
+// side of stroke and beam: it can tip over only there. Otherwise nullopt.
+std::optional<Vec3> side_to_tip(const Body& body, const CutTrail* trail) {
+  const Vec3 size = body.bounds().max - body.bounds().min;
+  const bool is_thin_in_x = 2 * size.x <= size.z, is_thin_in_z = 2 * size.z <= size.x;
+  if (!trail || mass_of(body) <= kHeavyPart || is_thin_in_x == is_thin_in_z) return std::nullopt;
+  const Vec3 side = horizontal(body.placement.orientation * (is_thin_in_x ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+  return glm::dot(side, unit_or_zero(trail->along) + trail->direction) < 0 ? -side : side;
+}
+
+// Turns a body about a place below it, with its top to the side. Another cut does not turn it faster.
+void tip_over(Body& body, const Vec3& about, const Vec3& side) {
+  const Vec3 arm = centre_of(body) - body.placement.position;
+  const double height = std::max(0.0, centre_of(body).y - about.y);
+  body.motion.wake();
+  body.motion.spin = kTip * glm::cross(Vec3(0, 1, 0), side);
+  body.motion.velocity = kTip * height * side - glm::cross(body.motion.spin, arm);
 }
 
 // Changes the velocity of the centre of mass, and turns the top of a body into the same direction.
@@ -64,12 +92,11 @@ const CutTrail* CutTrails::of(BodyId body) const {
 
 Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest) {
   if (part.tree.leaf_count() == 0) return {0, 1, 0};
-  const Vec3 from = rest.tree.leaf_count() > 0 ? centre_of(rest) : trail ? trail->at : centre_of(part);
-  const Vec3 across = across_cut(centre_of(part) - from, trail);
+  const Vec3 across = across_between(rest, part, trail);
   const Vec3 along = trail ? unit_or_zero(trail->along) : Vec3(0);
   Vec3 change = kAcross * across + kAlong * along;
   const bool heavy = mass_of(part) > kHeavyPart;
-  if (heavy) change = kAcross * unit_or_zero(change * Vec3(1, 0, 1));
+  if (heavy) change = kAcross * horizontal(change);
   add_motion(part, change, heavy ? kHeavyTurn : kTurn);
   if (moves_rest && !rest.pinned && rest.tree.leaf_count() > 0 && mass_of(rest) <= kHeavyPart)
     add_motion(rest, -change, kTurn);
@@ -81,7 +108,13 @@ Vec3 topple(Body& rest, Body& part, const CutTrail* trail) {
     return part_at_cut(rest, part, trail, false);
   const bool is_upper = centre_of(part).y >= centre_of(rest).y;
   Body &upper = is_upper ? part : rest, &lower = is_upper ? rest : part;
-  const Vec3 across = part_at_cut(lower, upper, trail, mass_of(upper) < kHeavyProp);
+  Vec3 across;
+  if (const auto side = side_to_tip(upper, trail)) {
+    across = across_between(lower, upper, trail);
+    tip_over(upper, trail->at, *side);
+  } else {
+    across = part_at_cut(lower, upper, trail, mass_of(upper) < kHeavyProp);
+  }
   return is_upper ? across : -across;
 }
 

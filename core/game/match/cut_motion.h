@@ -38,7 +38,7 @@ inline constexpr double kHeavyProp = 100;
 Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest);
 
 // Likewise for the parts of a prop: the upper one moves, and a heavy prop falls over in the direction of the
-// stroke. Light ones are both moved.
+// stroke, or across its length if it is long and thin. Light ones are both moved.
 Vec3 topple(Body& rest, Body& part, const CutTrail* trail);
 
 // Makes a wheel or a laser fly off its mount along `outward` (unit, world). `trail` may be null.

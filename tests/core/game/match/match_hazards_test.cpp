@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kPostAway = 8;  // m
+constexpr double kPropAway = 8;  // m
 
 // Prop `name` of the yard.
 ArenaBody prop(const std::string& name) {
@@ -22,20 +22,24 @@ ArenaBody prop(const std::string& name) {
   return *found;
 }
 
-// A lamp post ahead of the player, and an enemy that stands still.
-std::shared_ptr<const Rules> rules_with_post(const Start& enemy) {
+// A prop ahead of the player, and an enemy that stands still.
+std::shared_ptr<const Rules> rules_with(const std::string& name, double height, const Start& enemy) {
   auto rules = std::make_shared<Rules>(*test::flat_rules(1, 1));
   for (EnemySkill& skill : rules->description.skills) skill.speed = skill.fire = 0;
   ArenaDescription arena = rules->arena.description;
   arena.enemies = {enemy, enemy};
-  ArenaBody& post = arena.bodies.emplace_back(prop("lamp_post_1"));
-  post.body.placement = {{0, 0, kPostAway}, {1, 0, 0, 0}};
+  ArenaBody& body = arena.bodies.emplace_back(prop(name));
+  body.body.placement = {{0, height, kPropAway}, {1, 0, 0, 0}};
   rules->arena = *load_arena(std::move(arena));
   return rules;
 }
 
-// The highest point of the post and of its parts [m].
-double top_of_post(const Match& match) {
+std::shared_ptr<const Rules> rules_with_post(const Start& enemy) {
+  return rules_with("lamp_post_1", 0, enemy);
+}
+
+// The highest point of the prop and of its parts [m].
+double top_of_prop(const Match& match) {
   double top = 0;
   for (const BodyId id : match.world().ids()) {
     const Body& body = match.world().body(id);
@@ -87,7 +91,7 @@ void sweep(Match& match, const std::function<Vec3()>& place, double from, double
 // Cuts the post 1.6 m above the ground.
 void cut_post(Match& match, Course& course) {
   sweep(
-      match, [] { return Vec3(0, 1.6, kPostAway); }, -0.06, 0.06, course);
+      match, [] { return Vec3(0, 1.6, kPropAway); }, -0.06, 0.06, course);
 }
 
 void pass(Match& match, double seconds, Course& course) {
@@ -101,16 +105,16 @@ TEST(LampPost, stands_until_its_foot_is_cut_and_then_falls) {
   Match match({rules_with_post({{0, 0, 60}, 0}), 1, Difficulty::kNormal});
   Course course;
   pass(match, 2, course);
-  EXPECT_GT(top_of_post(match), 6.8);
+  EXPECT_GT(top_of_prop(match), 6.8);
   cut_post(match, course);
   pass(match, 4, course);
-  EXPECT_LT(top_of_post(match), 3);
+  EXPECT_LT(top_of_prop(match), 3);
   EXPECT_TRUE(course.struck.empty());
 }
 
 TEST(LampPost, that_falls_on_an_enemy_scores_and_takes_parts_off_it) {
   // It falls in the direction of the stroke.
-  Match match({rules_with_post({{3.2, 0, kPostAway}, 0}), 1, Difficulty::kNormal});
+  Match match({rules_with_post({{3.2, 0, kPropAway}, 0}), 1, Difficulty::kNormal});
   Course course;
   cut_post(match, course);
   pass(match, 4, course);
@@ -124,12 +128,42 @@ TEST(LampPost, that_falls_on_an_enemy_scores_and_takes_parts_off_it) {
 }
 
 TEST(LampPost, that_falls_past_an_enemy_does_not_strike_it) {
-  Match match({rules_with_post({{-4, 0, kPostAway}, 0}), 1, Difficulty::kNormal});
+  Match match({rules_with_post({{-4, 0, kPropAway}, 0}), 1, Difficulty::kNormal});
   Course course;
   cut_post(match, course);
   pass(match, 4, course);
   EXPECT_TRUE(course.struck.empty());
   EXPECT_TRUE(match.vehicles()[1].gun.works());
+}
+
+// Cuts one leg of a gantry after the other, which stands at an angle to the view; returns its highest point 4
+// s later.
+double top_of_cut_gantry(double yaw, double height, double sweep_by) {
+  Rules rules = *rules_with("gantry_1", 0, {{0, 0, 60}, 0});
+  ArenaDescription arena = rules.arena.description;
+  arena.bodies.back().body.placement.orientation = glm::angleAxis(yaw, Vec3(0, 1, 0));
+  rules.arena = *load_arena(std::move(arena));
+  Match match({std::make_shared<Rules>(std::move(rules)), 1, Difficulty::kNormal});
+  Course course;
+  for (const double leg : {-4.04, 4.04}) {
+    const Vec3 at(leg * std::cos(yaw), height, kPropAway - leg * std::sin(yaw));
+    sweep(
+        match, [&] { return at; }, -sweep_by, sweep_by, course);
+  }
+  pass(match, 4, course);
+  return top_of_prop(match);
+}
+
+// Its legs stand 8 m apart, so it can tip over only across its length.
+TEST(Gantry, falls_when_both_legs_are_cut) {
+  for (const double yaw : {0.0, 0.4, 0.8, 1.1}) {
+    for (const double height : {0.5, 1.2, 2.2}) {
+      for (const double sweep_by : {-0.09, 0.09}) {
+        EXPECT_LT(top_of_cut_gantry(yaw, height, sweep_by), 3)
+            << "turned by " << yaw << ", cut at " << height << " m, swept by " << sweep_by;
+      }
+    }
+  }
 }
 
 TEST(FuelTank, bursts_once_when_a_beam_cuts_it_and_overheats_the_laser) {

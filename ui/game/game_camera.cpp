@@ -26,8 +26,8 @@ Vec3 level(const Vec3& v) {
   return length > 0 ? flat / length : Vec3(0, 0, 1);
 }
 
-constexpr double kNearest = 8, kFarthest = 13;  // m
-constexpr double kFarApart = 12;                // m, between vehicles that do not fit into one frame
+constexpr double kNearest = 8, kFarthest = 19;  // m
+constexpr double kFarApart = 19;                // m, between vehicles that do not fit into one frame
 constexpr double kChassisMiddle = 0.8;          // m, above the ground
 constexpr double kTurnRate = 0.16;              // rad/s
 constexpr double kMiddleRate = 3;               // 1/s, smoothing rate of the middle

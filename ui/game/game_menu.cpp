@@ -141,7 +141,8 @@ bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>
 void begin_menu(const char* name, float across, float min_width) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({across * size.x, 0.5f * size.y}, ImGuiCond_Always, {across, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({min_width * ImGui::GetFontSize(), 0}, {size.x, 0.94f * size.y});
+  ImGui::SetNextWindowSizeConstraints({std::min(min_width * ImGui::GetFontSize(), size.x), 0},
+                                      {size.x, 0.94f * size.y});
   ImGui::Begin(name, nullptr, kFixed);
 }
 
@@ -165,9 +166,12 @@ bool is_menu_navigated() {
 }
 
 void menu_heading(const char* text, float scale) {
-  ImGui::SetWindowFontScale(scale);
+  const float size = scale * ImGui::GetFontSize();
+  ImGui::PushFont(&large_font());
+  ImGui::SetWindowFontScale(size / large_font().FontSize);
   ImGui::TextUnformatted(text);
   ImGui::SetWindowFontScale(1);
+  ImGui::PopFont();
   ImGui::Spacing();
 }
 

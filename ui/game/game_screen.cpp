@@ -387,6 +387,12 @@ void GameScreen::begin_replay() {
 
 void GameScreen::advance_replay(double seconds) {
   if (replay_->state() == MatchReplay::State::kPreparing) return picture_.advance(*match_, seconds);
+  if (replay_->is_skipped()) {
+    if (replay_shown_) picture_.show(*match_);
+    replay_shown_ = false;
+    sounds_.hush();
+    return picture_.advance(*match_, seconds);
+  }
   if (!replay_shown_) picture_.show(replay_->match());
   replay_shown_ = true;
   const int due = replay_->due(seconds);

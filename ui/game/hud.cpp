@@ -415,6 +415,9 @@ void draw_guide(const HudPaint& paint, const std::vector<std::string>& lines) {
     paint.text({x, y + kLine * em * static_cast<float>(i)}, lines[i], kText, 1, Align::kMiddle);
 }
 
+// Enlarged text would be blurred.
+ImFont* font_of(float scale) { return scale > 1.2f ? &large_font() : ImGui::GetFont(); }
+
 }  // namespace
 
 HudPaint::HudPaint() : list_(*ImGui::GetBackgroundDrawList()), size_(ImGui::GetIO().DisplaySize) {
@@ -437,7 +440,7 @@ void HudPaint::plate_text(ImVec2 at, const std::string& text, ImU32 colour, floa
 }
 
 float HudPaint::width_of(const std::string& text, float scale) const {
-  return ImGui::GetFont()->CalcTextSizeA(em_ * scale, FLT_MAX, 0, text.c_str()).x;
+  return font_of(scale)->CalcTextSizeA(em_ * scale, FLT_MAX, 0, text.c_str()).x;
 }
 
 void HudPaint::text(ImVec2 at, const std::string& text, ImU32 colour, float scale, Align align) const {
@@ -445,8 +448,8 @@ void HudPaint::text(ImVec2 at, const std::string& text, ImU32 colour, float scal
   const ImU32 edge = faded(kEdge, ((colour >> IM_COL32_A_SHIFT) & 0xff) / 255.0);
   const float off = std::max(1.0f, em_ * scale / 16);
   for (const ImVec2 by : {ImVec2(off, 0), ImVec2(-off, 0), ImVec2(0, off), ImVec2(0, -off)})
-    list_.AddText(ImGui::GetFont(), em_ * scale, {at.x + by.x, at.y + by.y}, edge, text.c_str());
-  list_.AddText(ImGui::GetFont(), em_ * scale, at, colour, text.c_str());
+    list_.AddText(font_of(scale), em_ * scale, {at.x + by.x, at.y + by.y}, edge, text.c_str());
+  list_.AddText(font_of(scale), em_ * scale, at, colour, text.c_str());
 }
 
 void HudPaint::bar(ImVec2 at, float width, const char* name, double share, ImU32 colour, bool striped) const {
@@ -476,13 +479,16 @@ void HudPaint::shade(ImVec2 from, ImVec2 to) const {
 
 void draw_hud(const HudView& view) {
   const HudPaint paint;
-  draw_hurt(view, paint);
-  if (!view.task) draw_enemies(view, paint);
-  draw_warnings(view, paint);
-  draw_pulses(view, paint);
-  draw_sighted(view, paint);
-  if (own(view).alive) draw_reticle(view, paint);
-  draw_bars(view, paint);
+  // After a wreck another camera shows its cause: directions to enemies would point at nothing.
+  if (own(view).alive) {
+    draw_hurt(view, paint);
+    if (!view.task) draw_enemies(view, paint);
+    draw_warnings(view, paint);
+    draw_pulses(view, paint);
+    draw_sighted(view, paint);
+    draw_reticle(view, paint);
+    draw_bars(view, paint);
+  }
   draw_own_vehicle(view, paint);
   draw_score(view, paint);
   draw_state(view, paint);

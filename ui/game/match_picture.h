@@ -84,6 +84,7 @@ class MatchReplay {
   void tick();
   // Ends it: state() returns kOver from now on.
   void skip() { skipped_ = true; }
+  bool is_skipped() const { return skipped_; }
   void move_camera(double seconds) { camera_.follow(*match_, seconds); }
 
  private:

@@ -20,6 +20,7 @@ constexpr std::array kFonts{
 };
 constexpr float kTextPixels = 15.5f;
 constexpr float kOwnTextPixels = 13;  // design size of ImGui's own font
+constexpr float kLarge = 2;           // size of the large font, in that of the text
 
 void load_font(float scale, bool own_font) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
@@ -27,11 +28,15 @@ void load_font(float scale, bool own_font) {
   std::error_code ignored;
   for (const char* file : kFonts) {
     if (own_font || !std::filesystem::exists(file, ignored)) continue;
-    if (fonts.AddFontFromFileTTF(file, std::round(kTextPixels * scale)) != nullptr) return;
+    if (fonts.AddFontFromFileTTF(file, std::round(kTextPixels * scale)) == nullptr) continue;
+    fonts.AddFontFromFileTTF(file, std::round(kLarge * kTextPixels * scale));
+    return;
   }
   ImFontConfig own;
-  own.SizePixels = std::round(kOwnTextPixels * scale);
-  fonts.AddFontDefault(&own);
+  for (const float size : {kOwnTextPixels, kLarge * kOwnTextPixels}) {
+    own.SizePixels = std::round(size * scale);
+    fonts.AddFontDefault(&own);
+  }
 }
 
 struct Colours {

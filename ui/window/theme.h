@@ -29,4 +29,7 @@ inline constexpr std::array<ImU32, 3> kAxes{IM_COL32(0xd9, 0x6a, 0x62, 255), IM_
 // afterwards. Precondition: called between frames.
 void apply_theme(const GuiLook& look);
 
+// The font of headings and large numbers: that of the text, rasterised at twice its size.
+inline ImFont& large_font() { return *ImGui::GetIO().Fonts->Fonts.back(); }
+
 }  // namespace kerf

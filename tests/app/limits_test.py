@@ -1,5 +1,5 @@
 """What Kerf does where the machine has less than it wants: `limits_test.py KERF`. Each shortage ends with one sentence,
-and nothing is lost."""
+and nothing is lost. Cuts are equal to the byte in every environment."""
 import json
 import os
 import shutil

@@ -15,6 +15,7 @@ constexpr double kAcross = 0.8, kAlong = 0.4;              // m/s
 constexpr double kTurn = 1.5, kHeavyTurn = 0.5, kTip = 1;  // rad/s
 constexpr double kPop = 2, kPopTurn = 4;                   // m/s and rad/s
 constexpr double kPopUp = 0.35;                            // fraction of the speed
+constexpr double kLies = 0.5;  // sine of the tilt from which a long, thin body lies rather than stands
 
 Vec3 unit_or_zero(const Vec3& v) {
   const double length = glm::length(v);
@@ -43,20 +44,21 @@ Vec3 across_between(const Body& rest, const Body& part, const CutTrail* trail) {
   return across_cut(centre_of(part) - from, trail);
 }
 
-Vec3 horizontal(const Vec3& v) { return unit_or_zero({v.x, 0, v.z}); }
-
-// The horizontal direction across the length of a heavy body that is at least twice as long as wide, to the
-// side of stroke and beam: it can tip over only there. Otherwise nullopt.
+// Returns the horizontal direction in which a heavy, upright body topples that is at least twice as long as
+// wide: at right angles to its length, on the side of stroke and beam. Returns nullopt for other bodies.
 std::optional<Vec3> side_to_tip(const Body& body, const CutTrail* trail) {
   const Vec3 size = body.bounds().max - body.bounds().min;
   const bool is_thin_in_x = 2 * size.x <= size.z, is_thin_in_z = 2 * size.z <= size.x;
   if (!trail || mass_of(body) <= kHeavyPart || is_thin_in_x == is_thin_in_z) return std::nullopt;
-  const Vec3 side = horizontal(body.placement.orientation * (is_thin_in_x ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+  const Vec3 thin = body.placement.orientation * (is_thin_in_x ? Vec3(1, 0, 0) : Vec3(0, 0, 1));
+  if (std::abs(thin.y) > kLies) return std::nullopt;
+  const Vec3 side = horizontal(thin);
   return glm::dot(side, unit_or_zero(trail->along) + trail->direction) < 0 ? -side : side;
 }
 
-// Turns a body about a place below it, with its top to the side. Another cut does not turn it faster.
+// Turns a body about a place below it, with its top to the side (unit). Another cut does not turn it faster.
 void tip_over(Body& body, const Vec3& about, const Vec3& side) {
+  KERF_ASSERT(is_unit(side));
   const Vec3 arm = centre_of(body) - body.placement.position;
   const double height = std::max(0.0, centre_of(body).y - about.y);
   body.motion.wake();
@@ -73,6 +75,8 @@ void add_motion(Body& body, const Vec3& change, double turn) {
 }
 
 }  // namespace
+
+Vec3 horizontal(const Vec3& v) { return unit_or_zero({v.x, 0, v.z}); }
 
 void CutTrails::record(BodyId body, const Vec3& at, const Vec3& direction) {
   KERF_ASSERT(is_unit(direction));

@@ -7,6 +7,9 @@
 
 namespace kerf {
 
+// Returns the unit vector of the horizontal part of a vector; zero if it has none.
+Vec3 horizontal(const Vec3& v);
+
 // The latest cut through a body, in the world.
 struct CutTrail {
   Vec3 at{0};         // m
@@ -38,7 +41,7 @@ inline constexpr double kHeavyProp = 100;
 Vec3 part_at_cut(Body& rest, Body& part, const CutTrail* trail, bool moves_rest);
 
 // Likewise for the parts of a prop: the upper one moves, and a heavy prop falls over in the direction of the
-// stroke, or across its length if it is long and thin. Light ones are both moved.
+// stroke. A long, thin one topples at right angles to its length. Light ones are both moved.
 Vec3 topple(Body& rest, Body& part, const CutTrail* trail);
 
 // Makes a wheel or a laser fly off its mount along `outward` (unit, world). `trail` may be null.

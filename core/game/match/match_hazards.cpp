@@ -40,11 +40,6 @@ double burst_share(double distance) {
   return std::clamp((kBurstFar - distance) / (kBurstFar - kBurstNear), 0.0, 1.0);
 }
 
-Vec3 level(const Vec3& v) {
-  const double length = glm::length(Vec3(v.x, 0, v.z));
-  return length > 0 ? Vec3(v.x, 0, v.z) / length : Vec3(0);
-}
-
 }  // namespace
 
 // Either side of a cut may be the one that falls.
@@ -122,7 +117,7 @@ void Match::push_from(const Vec3& at, size_t burst) {
     if (!(share > 0)) continue;
     if (v != burst) tally_.blame(v, by);
     chassis.motion.wake();
-    chassis.motion.velocity += share * (Vec3(0, kBurstUp, 0) + kBurstAside * level(way));
+    chassis.motion.velocity += share * (Vec3(0, kBurstUp, 0) + kBurstAside * horizontal(way));
     vehicle.gun.heat = std::max(vehicle.gun.heat, share);
     vehicle.gun.overheated = vehicle.gun.overheated || vehicle.gun.heat >= 1;
     if (share < kBurstBreaks) continue;
@@ -138,7 +133,7 @@ void Match::push_from(const Vec3& at, size_t burst) {
     const double share = burst_share(glm::length(way));
     if (!(share > 0) || mass_of(body) > kHeavyPart) continue;
     body.motion.wake();
-    body.motion.velocity += share * kBurstDebris * (level(way) + Vec3(0, 0.5, 0));
+    body.motion.velocity += share * kBurstDebris * (horizontal(way) + Vec3(0, 0.5, 0));
   }
 }
 

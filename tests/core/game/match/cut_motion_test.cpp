@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/deterministic_math.h"
 #include "core/game/match/rules.h"
 #include "tests/support/game_files.h"
 
@@ -52,6 +53,22 @@ TEST_F(CutMotion, a_heavy_part_only_tips_over) {
   part_at_cut(wheel(), chassis(), trails.of(stage_.vehicle.wheels[0].body), true);
   EXPECT_NEAR(velocity_of_centre(chassis()).y, 0, 1e-9) << "it is not lifted";
   EXPECT_NEAR(velocity_of_centre(chassis()).x, 0.8, 1e-9);
+}
+
+// A car is more than twice as long as wide.
+TEST_F(CutMotion, a_long_heavy_prop_topples_at_right_angles_to_its_length_unless_it_lies_on_its_side) {
+  CutTrails trails;
+  for (int i = 0; i < 5; ++i) trails.record(stage_.vehicle.chassis, {0, 0, 0.01 * i}, {1, 0, 0});
+  const CutTrail* trail = trails.of(stage_.vehicle.chassis);
+  wheel().placement.position.y = -5;
+  chassis().motion = Motion{};
+  topple(wheel(), chassis(), trail);
+  EXPECT_LT(glm::distance(chassis().motion.spin, Vec3(0, 0, -1)), 1e-9)
+      << "the top moves along the beam, to +X";
+  chassis().placement.orientation = glm::angleAxis(kPi / 2, Vec3(0, 0, 1));
+  chassis().motion = Motion{};
+  topple(wheel(), chassis(), trail);
+  EXPECT_NEAR(glm::length(chassis().motion.spin), 0.5, 1e-9);
 }
 
 TEST_F(CutMotion, a_wheel_pops_off_at_two_metres_a_second) {

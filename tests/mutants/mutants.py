@@ -8,6 +8,7 @@ times as long as without a mutant. A mutant that compiles to the same objects is
 FOLDER/mutants.jsonl, and a later run with the same seed and commit goes on from there. Exits with 1 if one survived.
 """
 import argparse
+import datetime
 import glob
 import hashlib
 import json
@@ -226,6 +227,8 @@ def main():
               flush=True)
     print(f'{killed} of {killed + len(survivors)} mutants of seed {arguments.seed} are killed. Survivors:')
     print('\n'.join(survivors))
+    print(f'proof: tests/mutants/mutants.py | {killed} of {killed + len(survivors)} mutants killed | '
+          f'{datetime.date.today()} | {commit}')
     return 1 if survivors else 0
 
 

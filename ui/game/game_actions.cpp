@@ -80,19 +80,23 @@ std::string key_label(int key) {
   return text.empty() ? "Key " + std::to_string(key) : text;
 }
 
-std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns) {
-  const auto key = [&](GameAction action) { return key_label(bindings[static_cast<size_t>(action)]); };
-  std::string drive;
-  for (const auto action :
-       {GameAction::kForward, GameAction::kLeft, GameAction::kBackward, GameAction::kRight})
-    drive += (drive.empty() ? "" : " ") + key(action);
-  std::vector<std::string> lines{drive + ": drive. " + key(GameAction::kHandbrake) + ": handbrake. " +
-                                     key(GameAction::kBoost) + ": boost",
-                                 "Mouse: aim. Left button: fire. Right button: steady aim. Wheel: beam width",
-                                 "Cut off enemy wheels, lasers, engines and driver's seats",
-                                 key(GameAction::kCamera) + ": switch camera"};
-  if (spawns) lines.push_back(key(GameAction::kSpawn) + ": spawn car");
-  lines.push_back("Esc: pause. " + key(GameAction::kGuide) + ": hide help");
+std::string control_label(GameAction action, const KeyBindings& bindings, bool gamepad) {
+  return gamepad ? action_keys(action).pad_label : key_label(bindings[static_cast<size_t>(action)]);
+}
+
+std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns, bool gamepad) {
+  using enum GameAction;
+  const auto label = [&](GameAction action) { return control_label(action, bindings, gamepad); };
+  const std::string drive =
+      gamepad ? "Left stick"
+              : label(kForward) + " " + label(kLeft) + " " + label(kBackward) + " " + label(kRight);
+  std::vector<std::string> lines{
+      drive + ": drive. " + label(kHandbrake) + ": handbrake. " + label(kBoost) + ": boost",
+      gamepad ? "Right stick: aim. Right trigger: fire. Left trigger: steady aim. Bumpers: beam width"
+              : "Mouse: aim. Left button: fire. Right button: steady aim. Wheel: beam width",
+      "Cut off enemy wheels, lasers, engines and driver's seats", label(kCamera) + ": switch camera"};
+  if (spawns) lines.push_back((gamepad ? "Press right stick" : label(kSpawn)) + ": spawn car");
+  lines.push_back((gamepad ? label(kPause) : "Esc") + ": pause. " + label(kGuide) + ": hide help");
   return lines;
 }
 

@@ -53,8 +53,11 @@ void bind(GameAction action, int key, KeyBindings& bindings);
 // "W", "Space", "Left Shift"; "Key 96" for a key without a name.
 std::string key_label(int key);
 
-// Lines on the keys for the beginning of a match.
-std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns);
+// The key of an action, or its button on a gamepad.
+std::string control_label(GameAction action, const KeyBindings& bindings, bool gamepad);
+
+// Lines on the keys, or on the buttons of a gamepad, for the beginning of a match.
+std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns, bool gamepad);
 
 // Buttons and axes of a gamepad as GLFW orders them.
 struct GamepadState {

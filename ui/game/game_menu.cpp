@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <algorithm>
 #include <array>
 
 #include "core/base/assert.h"
@@ -106,6 +107,17 @@ std::string words_on_course(const MatchResult& result) {
   words += count(result.pieces, "piece cut", "pieces cut");
   if (!result.ended) words += count(result.wheels_lost, "wheel lost", "wheels lost");
   return words + clock_text(result.score.seconds);
+}
+
+// Names the medal that the score has won, and the score for the next one.
+std::string words_on_medals(const MatchResult& result) {
+  static constexpr std::array kMedals{"bronze", "silver", "gold"};
+  KERF_ASSERT(result.medals.size() <= kMedals.size());
+  const auto next = std::ranges::upper_bound(result.medals, result.score.score);
+  const auto won = static_cast<size_t>(next - result.medals.begin());
+  std::string words = won > 0 ? std::string(", ") + kMedals[won - 1] + " medal" : "";
+  if (next != result.medals.end()) words += text_of("; %s from %.0f", kMedals[won], *next);
+  return words;
 }
 
 constexpr const char* kModeSummaries[] = {
@@ -241,8 +253,7 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
   begin_menu("Result", 0.04f);
   menu_heading(result.won ? "Won" : result.ended ? "Time is up" : "Lost", 2.2f);
   if (!result.ended) ImGui::Text("%s", result.why.c_str());
-  static constexpr std::array kMedals{"", ", bronze medal", ", silver medal", ", gold medal"};
-  ImGui::Text("Score %.0f%s", result.score.score, kMedals.at(result.medal));
+  ImGui::Text("Score %.0f%s", result.score.score, words_on_medals(result).c_str());
   ImGui::TextUnformatted(words_on_course(result).c_str());
   ImGui::Spacing();
   const std::string& level = result.score.difficulty;

@@ -67,9 +67,9 @@ MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing);
 
 struct MatchResult {
   bool won = false;
-  size_t medal = 0;    // 1 bronze, 2 silver, 3 gold; 0: none
-  bool ended = false;  // neither won nor lost, without enemies
-  std::string why;     // reason of the end, as a sentence
+  std::vector<double> medals;  // least scores for bronze, silver and gold; empty if there are none
+  bool ended = false;          // neither won nor lost, without enemies
+  std::string why;             // reason of the end, as a sentence
   HighScore score;
   size_t rank = 0;                // see add_high_score
   std::vector<HighScore> scores;  // for the same rules and difficulty, best first

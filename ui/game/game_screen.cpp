@@ -362,8 +362,7 @@ void GameScreen::finish() {
   const std::string difficulty = has_difficulties(match_->rules()) ? name_of(match_->setup().difficulty) : "";
   result.score = {standing.score, match_->rules().description.name, difficulty,
                   result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
-  for (const double medal : match_->rules().description.scores.medals)
-    result.medal += standing.score >= medal;
+  result.medals = match_->rules().description.scores.medals;
   result.ended = standing.phase == Standing::Phase::kEnded;
   const bool counts = !result.ended || (match_->rules().description.targets && standing.score > 0);
   if (counts) {
@@ -514,8 +513,8 @@ void GameScreen::draw() {
     hud.width = input_.width();
     hud.steady = &steady_;
     if (guide_ && state_ == State::kPlaying)
-      hud.guide = guide_lines(settings_.keys, !match_->rules().spawns.empty());
-    hud.next_car_key = key_label(settings_.keys[static_cast<size_t>(GameAction::kNextCar)]);
+      hud.guide = guide_lines(settings_.keys, !match_->rules().spawns.empty(), has_gamepad_);
+    hud.next_car_key = control_label(GameAction::kNextCar, settings_.keys, has_gamepad_);
     hud.machine = words_on_speed();
     hud.sighted = part;
     if (lesson_) hud.task = lesson_->task(*match_);

@@ -5,6 +5,7 @@
 
 #include "core/base/deterministic_math.h"
 #include "tests/support/game_files.h"
+#include "ui/game/game_actions.h"
 
 namespace kerf {
 namespace {
@@ -195,6 +196,24 @@ TEST(SteadyAim, lasts_two_seconds_and_refills_in_six) {
   double refill = 0;
   for (; steady.left() < 1 && refill < 10; refill += 0.01) steady.advance(false, 0.01);
   EXPECT_NEAR(refill, SteadyAim::kRefill, 0.05);
+}
+
+TEST(GuideLines, NameTheButtonsOfAGamepadInsteadOfKeys) {
+  KeyBindings bindings = default_bindings();
+  bind(GameAction::kHandbrake, GLFW_KEY_J, bindings);
+  for (const bool gamepad : {false, true}) {
+    std::string all;
+    for (const std::string& line : guide_lines(bindings, true, gamepad)) all += line + "\n";
+    for (const auto action :
+         {GameAction::kHandbrake, GameAction::kBoost, GameAction::kCamera, GameAction::kGuide}) {
+      const auto says = [&](bool pad) {
+        return all.find(control_label(action, bindings, pad) + ": ") != std::string::npos;
+      };
+      EXPECT_TRUE(says(gamepad)) << all;
+      EXPECT_FALSE(says(!gamepad)) << all;
+    }
+    EXPECT_NE(all.find("Mouse") != std::string::npos, gamepad) << all;
+  }
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ def check_program(prefix, folder):
 
 def check_outside_programs(prefix, folder):
     build = os.path.join(folder, 'build')
-    run('cmake', '-S', EXAMPLES, '-B', build, f'-DCMAKE_PREFIX_PATH={prefix}', '-DCMAKE_C_FLAGS=-Wall -Wextra -Werror',
-        '-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror -ffast-math')
+    run('cmake', '-G', 'Ninja', '-S', EXAMPLES, '-B', build, f'-DCMAKE_PREFIX_PATH={prefix}',
+        '-DCMAKE_C_FLAGS=-Wall -Wextra -Werror', '-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror -ffast-math')
     run('cmake', '--build', build)
     said = run(os.path.join(build, 'outside'), SPHERE)
     assert said.count(' kg') == 2, said

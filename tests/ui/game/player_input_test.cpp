@@ -198,7 +198,7 @@ TEST(SteadyAim, lasts_two_seconds_and_refills_in_six) {
   EXPECT_NEAR(refill, SteadyAim::kRefill, 0.05);
 }
 
-TEST(GuideLines, NameTheButtonsOfAGamepadInsteadOfKeys) {
+TEST(GuideLines, name_the_buttons_of_a_gamepad_instead_of_keys) {
   KeyBindings bindings = default_bindings();
   bind(GameAction::kHandbrake, GLFW_KEY_J, bindings);
   for (const bool gamepad : {false, true}) {

@@ -104,7 +104,8 @@ std::string short_name(const UndoStack& history, size_t step, FileUnit unit) {
 BeamPicture beam_of(const Document& document, size_t step) {
   const UndoStack& history = document.history();
   const World& world = document.world();
-  const auto* begin = std::get_if<BeginStroke>(&history.commands_of(step).front());
+  const std::vector<Command> commands = history.commands_of(step);
+  const auto* begin = std::get_if<BeginStroke>(&commands.front());
   KERF_ASSERT(begin != nullptr);
   const CutSettings& settings = history.settings_of(step);
   const double length =

@@ -361,6 +361,7 @@ class Path(WindowTest):
         for i in range(1, 31):
             editor.move_to(x + 3 * i, y)
             editor.pause(0.1)
+            editor.wait_until_heard("a move")
         editor.release(1)
         editor.do("u")
         took = time.monotonic() - began

@@ -21,7 +21,7 @@ ACROSS = {"strokes": [{"laser": {"radius": 0.02, "range": [0, 5]},
 
 def kerf(*args, cwd=None):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    return subprocess.run([KERF, *map(str, args)], capture_output=True, text=True, cwd=cwd, env=environment, timeout=120)
+    return subprocess.run([KERF, *map(str, args)], capture_output=True, text=True, cwd=cwd, env=environment, timeout=900)
 
 def wait_for_folder(folder):
     until = time.monotonic() + 60
@@ -430,7 +430,7 @@ class CommandLine(unittest.TestCase):
                                    stderr=subprocess.PIPE, text=True)
         time.sleep(1)
         process.send_signal(signal.SIGINT)
-        message = process.communicate(timeout=60)[1]
+        message = process.communicate(timeout=900)[1]
         self.assertEqual(process.returncode, 130, message)
         self.assertIn("interrupted", message)
         self.assertEqual([name for name in os.listdir(self.folder.name) if name.startswith("a.")], [])
@@ -526,7 +526,7 @@ class CommandLine(unittest.TestCase):
                                     "0.0002"], cwd=self.folder.name, stderr=subprocess.PIPE, text=True)
         wait_for_folder(os.path.join(self.folder.name, "out"))
         process.send_signal(signal.SIGINT)
-        message = process.communicate(timeout=60)[1]
+        message = process.communicate(timeout=900)[1]
         self.assertEqual(process.returncode, 130, message)
         self.assertIn("interrupted", message)
         self.assertEqual(os.listdir(os.path.join(self.folder.name, "out")), [])

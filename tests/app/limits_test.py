@@ -31,7 +31,7 @@ class Limits(unittest.TestCase):
         environment.update(more)
         command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *map(str, arguments)]
         return subprocess.run(command, cwd=folder or self.folder, env=environment, capture_output=True, text=True,
-                              timeout=300)
+                              timeout=900)
 
     def assert_one_sentence(self, done, *words, status=1):
         self.assertEqual(done.returncode, status, done.stderr)
@@ -129,7 +129,7 @@ class Limits(unittest.TestCase):
             "trap 'find small -type f | wc -l >left' EXIT; \"$@\"; exit $?"
         done = subprocess.run(["unshare", "-rm", "bash", "-c", full, "kerf", KERF, "cut", SPHERE, "--path",
                                "across.json", "--out", "small/out"],
-                              cwd=self.folder, capture_output=True, text=True, timeout=300)
+                              cwd=self.folder, capture_output=True, text=True, timeout=900)
         if "unshare" in done.stderr or "mount" in done.stderr:
             self.skipTest("needs user namespaces")
         self.assert_one_sentence(done, "No space left on device")

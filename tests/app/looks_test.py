@@ -94,7 +94,7 @@ class Looks(unittest.TestCase):
 
     def cut(self, *args, mesh="plate.obj", out="out"):
         command = [KERF, "cut", mesh, "--path", "cut.json", "--out", out, "--target-edge", "0.03", *args]
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=900)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.messages = done.stderr
         return json.loads(self.read(f"{out}/report.json"))
@@ -123,7 +123,7 @@ class Looks(unittest.TestCase):
 
     def test_looks_have_a_hash_of_their_own(self):
         def replayed():
-            return subprocess.run([KERF, "replay", "cut.kerf"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+            return subprocess.run([KERF, "replay", "cut.kerf"], cwd=self.folder, capture_output=True, text=True, timeout=900)
 
         before = self.cut("--journal", "cut.kerf")
         done = replayed()
@@ -252,7 +252,7 @@ class Looks(unittest.TestCase):
                                  (["--single-file"], "requires --format glb, gltf or 3mf"),
                                  (["--colliders", "box", "--format", "glb"], "the values are: hull")):
             done = subprocess.run([KERF, "cut", "plate.obj", "--out", "out", *arguments], cwd=self.folder,
-                                  capture_output=True, text=True, timeout=120)
+                                  capture_output=True, text=True, timeout=900)
             self.assertEqual(done.returncode, 2)
             self.assertIn(words, done.stderr)
             self.assertEqual(len(done.stderr.splitlines()), 1)
@@ -318,7 +318,7 @@ class Looks(unittest.TestCase):
         report = self.cut("--format", "obj", mesh="plate.ply")
         faces = sum(piece["faces"] for piece in report["pieces"])
         self.assertEqual(report["notes"], [f"OBJ holds no attribute 'quality' or attribute 'label': {faces} faces lose theirs"])
-        done = subprocess.run([KERF, "info", "plate.ply"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run([KERF, "info", "plate.ply"], cwd=self.folder, capture_output=True, text=True, timeout=900)
         self.assertEqual(json.loads(done.stdout)["looks"]["attributes"], ["quality", "label"])
 
     def test_each_format_reports_its_losses(self):
@@ -398,11 +398,11 @@ class Looks(unittest.TestCase):
                         self.assertAlmostEqual(value, position[axis], delta=1e-9)
         self.assertEqual(set(arrays["source_mesh"][1]), {0})
         done = subprocess.run([KERF, "cut", "plate.obj", "--path", "cut.json", "--out", "out", "--provenance", "plate.mtl/x"],
-                              cwd=self.folder, capture_output=True, text=True, timeout=120)
+                              cwd=self.folder, capture_output=True, text=True, timeout=900)
         self.assertEqual(done.returncode, 1, done.stderr)
 
     def test_info_lists_looks(self):
-        done = subprocess.run([KERF, "info", "plate.obj"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        done = subprocess.run([KERF, "info", "plate.obj"], cwd=self.folder, capture_output=True, text=True, timeout=900)
         self.assertEqual(json.loads(done.stdout)["looks"],
                          {"uv_sets": 1, "normals": True, "vertex_colours": False, "materials": ["bare", "red paint"],
                           "images": [{"name": "paint.png", "bytes": len(IMAGE)}], "parts": 1})

@@ -24,7 +24,7 @@ REQUIRED = {"ground": ["--settle", "1"], "turn": ["--drawing", "none.svg"], "sca
 
 
 def run(*args, folder=None):
-    return subprocess.run([KERF, *map(str, args)], cwd=folder, capture_output=True, text=True, timeout=120)
+    return subprocess.run([KERF, *map(str, args)], cwd=folder, capture_output=True, text=True, timeout=900)
 
 
 def options_of(command):

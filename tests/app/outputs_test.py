@@ -40,7 +40,7 @@ class Outputs(unittest.TestCase):
 
     def kerf(self, *args, limit="true"):
         command = ["bash", "-c", limit + '; exec "$@"', "kerf", KERF, *args]
-        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=120)
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=900)
 
     def cut(self, *args):
         done = self.kerf("cut", *args)

@@ -36,7 +36,7 @@ class Terminal:
         while self.read():
             pass
         os.close(self.master)
-        return self.process.wait(timeout=60)
+        return self.process.wait(timeout=900)
 
 
 class TerminalOutput(unittest.TestCase):

@@ -13,7 +13,7 @@ class Limits(WindowTest):
         editor.settle()
         editor.screen.kill()
         editor.screen.wait()
-        self.assertEqual(editor.kerf.wait(timeout=60), 1, "it ends by itself, not by a signal")
+        self.assertEqual(editor.kerf.wait(timeout=900), 1, "it ends by itself, not by a signal")
         editor.close()
         again = self.open_again(SPHERE)
         again.press("Return")

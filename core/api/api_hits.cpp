@@ -159,7 +159,6 @@ void HitArrays::fill(const World& world, const std::vector<Hit>& hits) {
 }
 
 kerf_hits HitArrays::view() const {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
   kerf_hits hits{};
   hits.count = distances.size();
   hits.offset_count = offsets.size();
@@ -168,9 +167,9 @@ kerf_hits HitArrays::view() const {
   hits.bodies = bodies.data();
   hits.faces = faces.data();
   hits.pieces = pieces.data();
-  hits.barycentrics = &barycentrics.data()->x;
-  hits.positions = &positions.data()->x;
-  hits.normals = &normals.data()->x;
+  hits.barycentrics = numbers_of(barycentrics);
+  hits.positions = numbers_of(positions);
+  hits.normals = numbers_of(normals);
   hits.materials = materials.data();
   hits.is_cut = is_cut.data();
   return hits;

@@ -231,6 +231,12 @@ inline bool is_finite(const Vec3& v) {
 }
 
 // Convert ids of bodies.
+// Returns the first number of an array of vectors; null if it is empty.
+inline const double* numbers_of(const std::vector<Vec3>& vectors) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  return vectors.empty() ? nullptr : &vectors.front().x;
+}
+
 inline kerf_body to_api(BodyId id) { return uint64_t{id.generation} << 32 | id.slot; }
 inline BodyId from_api(kerf_body body) {
   return {static_cast<uint32_t>(body), static_cast<uint32_t>(body >> 32)};

@@ -242,10 +242,10 @@ kerf_result kerf_mesh_from_bytes(const char* bytes, size_t size, kerf_mesh** out
 size_t kerf_mesh_vertex_count(const kerf_mesh* mesh) { return mesh == nullptr ? 0 : mesh->positions.size(); }
 size_t kerf_mesh_face_count(const kerf_mesh* mesh) { return mesh == nullptr ? 0 : mesh->triangles.size(); }
 const double* kerf_mesh_vertices(const kerf_mesh* mesh) {
-  return mesh == nullptr ? nullptr : &mesh->positions.data()->x;
+  return mesh == nullptr ? nullptr : kerf::numbers_of(mesh->positions);
 }
 const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh) {
-  return mesh == nullptr ? nullptr : mesh->triangles.data()->data();
+  return mesh == nullptr || mesh->triangles.empty() ? nullptr : mesh->triangles.front().data();
 }
 
 const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh) {

@@ -29,11 +29,16 @@ void free_marked(void* memory) {
 }  // namespace
 
 // The library must use these, or neither of them: all tests of this program check it.
-void* operator new(size_t bytes) {
+void* operator new(size_t bytes, const std::nothrow_t&) noexcept {
   auto* whole = static_cast<char*>(std::malloc(bytes + kMarkBytes));
-  if (whole == nullptr) throw std::bad_alloc();
+  if (whole == nullptr) return nullptr;
   std::memcpy(whole, &kMark, sizeof kMark);
   return whole + kMarkBytes;
+}
+void* operator new(size_t bytes) {
+  void* memory = operator new(bytes, std::nothrow);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
 }
 void operator delete(void* memory) noexcept { free_marked(memory); }
 void operator delete(void* memory, size_t) noexcept { free_marked(memory); }

@@ -90,19 +90,20 @@ void check(const uint8_t* data, size_t size) {
 }
 
 // A broken expectation ends the program, as a broken requirement does.
-const bool kBreaks = [] {
+bool break_on_failure() {
   int count = 1;
   char name[] = "fuzz", *arguments[] = {name, nullptr};
   testing::InitGoogleTest(&count, arguments);
   GTEST_FLAG_SET(break_on_failure, true);
   return true;
-}();
+}
 
 }  // namespace
 
 }  // namespace kerf::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {  // NOLINT: libFuzzer's name
+  [[maybe_unused]] static const bool breaks = kerf::fuzz::break_on_failure();
   kerf::fuzz::check(data, size);
   return 0;
 }

@@ -282,11 +282,11 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces) {
   const VertexSet vertices(body.mesh, faces);
   std::vector<Vec3> positions;
   positions.reserve(vertices.count());
-  vertices.for_each([&](VertexId v) { positions.push_back(body.placement.to_world(body.mesh.position(v))); });
+  vertices.for_each([&](VertexId v) { positions.push_back(body.mesh.position(v)); });
   const std::vector<uint32_t> first = weld_positions(positions);
   std::vector<uint32_t> number(positions.size());  // of the merged position
   for (uint32_t i = 0; i < positions.size(); ++i) {
-    if (first[i] == i) out.positions.push_back(positions[i]);
+    if (first[i] == i) out.positions.push_back(body.placement.to_world(positions[i]));
     number[i] = first[i] == i ? static_cast<uint32_t>(out.positions.size() - 1) : number[first[i]];
   }
   const auto number_of = [&](VertexId v) { return number[vertices.rank(v)]; };

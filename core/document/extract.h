@@ -55,7 +55,8 @@ Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generati
                            const Progress* progress);
 
 // A copy of faces of a body as plain arrays in world coordinates, exact to the bit if the body has not moved.
-// Coincident vertices are merged; vertices and faces keep the order of their slots.
+// Vertices at one position of the body are merged, but not those that coincide only by rounding in the world,
+// so the corners of a triangle are three numbers. Vertices and faces keep the order of their slots.
 struct Extract {
   std::vector<Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;

@@ -33,6 +33,19 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   EXPECT_EQ(faces_by_piece(body, true).size(), 2u);
 }
 
+// Rounding makes corners equal that differ by less than a spacing of the coordinates there.
+TEST(Extract, of_a_body_very_far_from_the_origin_has_three_corners_per_face) {
+  World world = world_of(sphere(8, 12, 1));
+  Body& body = world.body(world.ids().front());
+  body.placement.position.x = 1e18;
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) faces.emplace_back(f);
+  const Extract e = extract_faces(body, faces);
+  ASSERT_EQ(e.triangles.size(), faces.size());
+  for (const auto& [a, b, c] : e.triangles) EXPECT_TRUE(a != b && b != c && c != a);
+  EXPECT_EQ(e.boundary_edges, 0u);
+}
+
 TEST(Extract, keeps_the_materials_of_faces) {
   const World named = world_of(in_two_materials(sphere(8, 12, 1)));
   const Body& body = named.body(named.ids().front());

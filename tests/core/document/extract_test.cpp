@@ -37,7 +37,7 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
 TEST(Extract, of_a_body_very_far_from_the_origin_has_three_corners_per_face) {
   World world = world_of(sphere(8, 12, 1));
   Body& body = world.body(world.ids().front());
-  body.placement.position.x = 1e18;
+  body.placement.position = {1e18, 0, 1e18};
   std::vector<FaceId> faces;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) faces.emplace_back(f);
   const Extract e = extract_faces(body, faces);

@@ -3,6 +3,7 @@
 
 A copy of the sources is configured, built and installed by the lines of the page, with the options of BUILD, so that a
 compiler cache has what BUILD compiled. Installing before anything is built installs nothing and names the target.
+Compilation file by file can be configured.
 """
 import os
 import re
@@ -74,6 +75,7 @@ def main():
         check_module(prefix, folder)
         said = without('pybind11', folder)
         assert 'The Python module is left out' in said and 'pybind11-dev' in said, said
+        run(['cmake', '-S', '.', '-B', 'single', '-G', 'Ninja', '-DKERF_SINGLE=ON'], folder)
 
 
 main()

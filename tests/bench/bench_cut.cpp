@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFaceBar = 2;        // us a face born or gone
 constexpr double kLongestBar = 8;     // of the median
-constexpr double kWallsBar = 50;      // ms that walls may take beside the rim
+constexpr double kWallsBar = 50;      // ms that walls may take in addition to the rim
 constexpr double kJobBar = 1.0 / 20;  // of CGAL
 constexpr double kManifoldBar = 1.0 / 12;
 constexpr double kSeparationBar = 500;            // ns per removed face
@@ -153,7 +153,7 @@ void bench_rim(const Subject& s, const Effort& effort, const Report& report) {
   if (solid.walls == 0) return;  // not closed before
   report({"slot through a solid, longest / median step", s.name, "us", 1e6 * solid.longest(),
           1e6 * solid.quantile(0.5), kLongestBar});
-  report({"walls of the slot, beside the rim / limit", s.name, "ms", 1e3 * (solid.seconds - walked.seconds),
+  report({"walls of the slot, in addition to the rim / limit", s.name, "ms", 1e3 * (solid.seconds - walked.seconds),
           kWallsBar, 1.0});
 }
 

@@ -76,9 +76,9 @@ void bench_pile(const std::string& name, double tick_bar, World world, const Rep
   report({"longest tick / limit", name, "ms", 1e3 * longest, tick_bar, 1.0});
   report({"median tick / limit of the longest", name, "ms", 1e3 * median(ticked.seconds), tick_bar,
           std::nullopt});
-  report({"pairs near each other, most a tick", name, "", static_cast<double>(ticked.most.candidates), 1,
+  report({"pairs near each other, max per tick", name, "", static_cast<double>(ticked.most.candidates), 1,
           std::nullopt});
-  report({"contacts, most a tick", name, "", static_cast<double>(ticked.most.contacts), 1, std::nullopt});
+  report({"contacts, max per tick", name, "", static_cast<double>(ticked.most.contacts), 1, std::nullopt});
   report({"interlocked of touching pairs / limit", name, "%", share_interlocked(world, at_first),
           kInterlockedBar, 1.0});
   report({"time until all sleep / limit", name, "s", seconds_of_ticks(ticked.seconds.size()), kSleepBar,

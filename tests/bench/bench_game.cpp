@@ -117,9 +117,9 @@ void report_fight(const std::string& name, const Fight& done, const Report& repo
   report({"99th percentile of ticks / limit", name, "ms", at(0.99), kSlowBar, 1.0});
   report({"longest tick / limit of the 99th percentile", name, "ms", at(1), kSlowBar, std::nullopt});
   count("ticks", done.seconds.size());
-  count("bodies, most in a tick", done.most_bodies);
-  count("loose pieces, most in a tick", done.most.all);
-  count("of these asleep, most in a tick", done.most.asleep);
+  count("bodies, max per tick", done.most_bodies);
+  count("loose pieces, max per tick", done.most.all);
+  count("of these asleep, max per tick", done.most.asleep);
 }
 
 }  // namespace

@@ -490,16 +490,19 @@ class World {
   }
   void set_undo_memory(size_t bytes) { check(kerf_world_set_undo_memory(get(), bytes)); }
 
-  // Returns all changes since the last call; see kerf_changes. Its arrays are valid until the next call.
+  // Returns all changes since the last call; see kerf_changes. Its arrays are valid until the next
+  // take_changes(), or until the world is destroyed.
   Changes take_changes() {
     Changes changes = KERF_CHANGES_INIT;
     check(kerf_world_take_changes(get(), &changes));
     return changes;
   }
 
-  // Cuts all bodies with strokes, in order, all or nothing.
-  // Throws InvalidArgument for an invalid stroke or setting, or if the world has no mesh; Error if a body
-  // would exceed the maximum number of faces; Cancelled; Busy. About 1 us per created or removed face.
+  // Cuts all visible bodies, or those of the settings, with strokes, in order, all or nothing; see
+  // kerf_world_cut.
+  // Throws InvalidArgument for an invalid stroke or setting, or if the world has no mesh;
+  // Error if a body would exceed the maximum number of faces; Cancelled; Busy. About 1 us per created or
+  // removed face.
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
                 const CallOptions& options = {}) {
     std::vector<kerf_stroke> c_strokes;
@@ -578,12 +581,13 @@ class World {
     });
   }
   // Finds the point of all surfaces nearest to each point. points: three numbers each; max_distance: m.
-  // Returns one entry per point. Throws InvalidArgument for a number that is not finite or negative. About
-  // 2 us per point and body.
+  // Returns one entry per point. Throws InvalidArgument if a point is not finite, or if max_distance is
+  // negative or NaN. About 2 us per point and body.
   Hits closest_points(std::span<const double> points,
                       double max_distance = std::numeric_limits<double>::infinity(),
                       const CallOptions& options = {}) const {
-    const size_t n = ray_count(points, points);
+    if (points.size() % 3 != 0) throw InvalidArgument("points: must be three numbers each");
+    const size_t n = points.size() / 3;
     return query(options, [&](const kerf_call_options* c, kerf_hits* out) {
       return kerf_world_closest_points(get(), points.data(), n, max_distance, c, out);
     });
@@ -598,19 +602,20 @@ class World {
     });
   }
 
-  // Writes the bodies as OBJ files, or Kerf meshes (see kerf_world_save_scene), and a scene.json for the
-  // editor.
+  // Writes the visible bodies as OBJ files, or Kerf meshes (see kerf_world_save_scene), and a scene.json for
+  // the editor.
   // folder: created if missing.
-  // Throws InvalidArgument if the world has no face, Error if a file cannot be written. O(n log n).
+  // Throws InvalidArgument if no face is visible, Error if a file cannot be written. O(n log n).
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
-  // Writes the journal of the cuts, which `kerf replay` verifies, and the added meshes next to it.
+  // Writes the journal of all commands that are not undone, which `kerf replay` verifies, and the added
+  // meshes next to it.
   // path: a .kerf file.
-  // Throws InvalidArgument if the world has no mesh, or a body was added or the material changed after a cut;
-  // Error if a file cannot be written. O(n log n).
+  // Throws InvalidArgument if the world has no mesh, or if path names a folder, device or pipe; Error if a
+  // file cannot be written. O(n log n).
   void save_journal(const std::string& path) const { check(kerf_world_save_journal(get(), path.c_str())); }
 
-  // Returns a report of all cuts as JSON, with the keys of report.json of `kerf cut`. O(n log n).
+  // Returns a report as JSON, with the keys of report.json of `kerf cut` (see kerf_world_report). O(n log n).
   std::string report(const CallOptions& options = {}) const {
     char* text = nullptr;
     Run(options).call([&](const kerf_call_options* c) { return kerf_world_report(get(), c, &text); });

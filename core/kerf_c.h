@@ -9,14 +9,15 @@
  *
  * Errors: a function that can fail returns a kerf_result; kerf_last_error() then returns one sentence that
  * says what failed, where, and what to do. A null pointer is KERF_INVALID_ARGUMENT unless stated otherwise.
- * A failed call changes nothing. No exception leaves the library, and no argument ends the process except
- * an invalid pointer. `options` may be null; `out` receives the result, which kerf_mesh_destroy or
- * kerf_world_destroy destroys.
+ * A failed call changes nothing, unless stated otherwise. No exception leaves the library, and no argument
+ * ends the process except an invalid pointer. `options` may be null; `out` receives the result, which the
+ * caller owns: destroy meshes by kerf_mesh_destroy and worlds by kerf_world_destroy; free hits, pieces and
+ * texts by the functions named there.
  *
  * Structs: the first member of most is `size`, the sizeof of the caller's header. A later version appends
- * members: of a smaller struct, the library takes the defaults of the missing members and writes none of
- * them. KERF_..._INIT sets the size and the defaults. A size of the library's own header or less, at least 8
- * and a multiple of 8, is valid; any other is KERF_INVALID_ARGUMENT.
+ * members: for a smaller struct, the library uses the defaults of the missing members and does not write
+ * them. KERF_..._INIT sets the size and the defaults. A valid size is a multiple of 8, at least 8 and at most
+ * the sizeof in the library's own header; any other is KERF_INVALID_ARGUMENT.
  *
  * Determinism: results are bit-identical on every x86-64 processor. They do not depend on the number of
  * threads, the locale, or the caller's rounding and flush-to-zero modes, which are restored on return.
@@ -45,8 +46,9 @@ typedef uint64_t kerf_body;
  * and when it becomes a body of its own. */
 #define KERF_NO_PIECE UINT32_MAX
 
-/* Index of a face in its body. A face keeps it until it is removed or its piece becomes another body; the
- * index is used again only after an undo. */
+/* Index of a face in its body. After a split, the index refers to one of the parts. The index of a removed
+ * face is reused only after an undo. If a piece is detached, the faces of the smaller side get new indices
+ * (see kerf_detached). */
 #define KERF_NO_FACE UINT32_MAX
 
 /* Creates an empty world. O(1). */
@@ -80,8 +82,8 @@ typedef struct kerf_body_desc {
 /* Adds a copy of a mesh as a new body, and builds its AABB tree. A step of the history.
  * desc, options: may be null.
  * body: receives the id; may be null.
- * Errors: KERF_INVALID_ARGUMENT for an invalid description, or a mesh wider than 1e150 m. O(n log n), about
- * 0.5 us per face, whatever the number of bodies. */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid description, or a mesh that has no usable face or is wider
+ * than 1e150 m; KERF_CANCELLED. O(n log n), about 0.5 us per face, whatever the number of bodies. */
 KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, const kerf_body_desc* desc,
                                     const kerf_call_options* options, kerf_body* body);
 
@@ -123,7 +125,8 @@ KERF_API kerf_result kerf_piece_get_mesh(const kerf_world* world, kerf_body body
  * Errors: KERF_INVALID_ARGUMENT if there is no such piece, or for an invalid value. O(bodies), and O(faces of
  * the body) if the piece is detached. */
 
-/* Moves it. position: m; orientation: unit quaternion w x y z. Stops its motion. */
+/* Places it at a pose and stops its motion: x_world = orientation * x_body + position [m], where x_body is in
+ * the frame of its body and orientation is a unit quaternion w x y z. */
 KERF_API kerf_result kerf_piece_move(kerf_world* world, kerf_body body, uint32_t piece,
                                      const double position[3], const double orientation[4], kerf_body* now);
 /* Sets its sheet; arguments as in kerf_body_desc. */
@@ -165,8 +168,8 @@ typedef struct kerf_joint {
 #define KERF_JOINT_INIT \
   { sizeof(kerf_joint), KERF_JOINT_WELD, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0}, INFINITY }
 
-/* Adds a joint to a body that was neither cut nor fell apart; a step of the history. Parts that only hinges
- * and hubs hold become bodies of their own in a simulation, and turn on them. A joint is released when
+/* Adds a joint to a body that has neither been cut nor come apart; a step of the history. Parts that only
+ * hinges and hubs hold become bodies of their own in a simulation, and turn on them. A joint is released when
  * strokes have removed all faces of one side, or those that reach the axis of a hinge. Errors:
  * KERF_INVALID_ARGUMENT if there is no such body, for an invalid number, if no face of a part is within the
  * radius, if a face would carry both sides, or if the anchor is farther from the mesh than a hundred times
@@ -175,13 +178,14 @@ KERF_API kerf_result kerf_body_join(kerf_world* world, kerf_body body, const ker
 
 /* Sets the environment of simulations; a step of the history.
  * gravity: m/s^2; by default (0, -9.81, 0).
- * ground: height of a plane on which bodies rest [m]; null: none. */
+ * ground: height of a plane on which bodies rest [m]; null: none.
+ * Errors: KERF_INVALID_ARGUMENT for a number that is not finite. */
 KERF_API kerf_result kerf_world_set_environment(kerf_world* world, const double gravity[3],
                                                 const double* ground);
 
 /* Simulates all bodies as rigid bodies, and the cooling of hot faces. Pieces that were cut off become bodies
  * (see kerf_detached). Time advances in ticks of 1/120 s; the rest of `seconds` is kept for the next call.
- * All simulation since the last other step of the history is one step.
+ * Consecutive calls form one step of the history.
  * seconds: 0 to 3600.
  * options: may be null; the call cannot be cancelled.
  * Errors: KERF_INVALID_ARGUMENT for another number. */
@@ -261,21 +265,26 @@ typedef struct kerf_cut_result {
 #define KERF_CUT_RESULT_INIT \
   { sizeof(kerf_cut_result), 0, 0, 0, 0, 0, 0 }
 
-/* Cuts all bodies with strokes, in order, all or nothing.
+/* Cuts all visible bodies, or those of `settings`, with strokes, in order, all or nothing. Each stroke is a
+ * step of the history; a new `material` adds one step per changed piece. A solid that cannot be closed stays
+ * open without an error: kerf_mesh_info::is_closed is 0, and the notes of kerf_world_report state why and
+ * where.
  * strokes: stroke_count strokes; may be null if there is none.
  * settings, options: may be null.
  * result: receives the results; may be null.
  * Errors: KERF_INVALID_ARGUMENT for an invalid stroke or setting, or if the world has no mesh; KERF_FAILED
- * if a body would exceed the maximum number of faces; KERF_CANCELLED. About 1 us per created or removed
- * face. */
+ * if a body would exceed the maximum number of faces, or the world the memory; KERF_CANCELLED. About 1 us per
+ * created or removed face. */
 KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);
 
 /* Cuts all visible bodies along the plane normal . x = distance by a knife of no width; nothing is removed,
- * both sides become pieces of their own, and those of solids are closed by walls. A step of the history.
+ * both sides become pieces of their own, and those of solids are closed by walls. A solid whose section is
+ * not closed stays open without an error (see kerf_mesh_info::is_closed). A step of the history.
  * normal: finite and not zero, of any length.
- * Errors: KERF_INVALID_ARGUMENT; KERF_FAILED for too many faces of a body; KERF_CANCELLED. O(faces). */
+ * Errors: KERF_INVALID_ARGUMENT; KERF_FAILED if a body would exceed the maximum number of faces;
+ * KERF_CANCELLED. O(faces). */
 KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal[3], double distance,
                                           const kerf_call_options* options);
 
@@ -290,7 +299,7 @@ KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal
 
 /* Begins a stroke. Executes nothing yet.
  * stroke: its keys are the known part of the path, at least one.
- * settings: may be null.
+ * settings: may be null; its material must be null.
  * Errors: those of kerf_world_cut; KERF_BUSY if another stroke is not finished. O(keys). */
 KERF_API kerf_result kerf_stroke_begin(kerf_world* world, const kerf_stroke* stroke,
                                        const kerf_cut_settings* settings);
@@ -322,7 +331,7 @@ typedef struct kerf_stroke_progress {
 
 /* Executes a part of the stroke: at least one unit of work, and more until a budget is used up. A unit is a
  * query, about 250 faces, a part of the search for pieces, or a part of the walls: mostly below 0.4 ms. With
- * the thermal model a unit is a move to the next pose.
+ * the thermal model a unit is one to four parts of the path, each about a beam radius long at most.
  * max_faces: target for the number of faces created and removed; SIZE_MAX: no limit.
  * max_seconds: target for the duration [s], >= 0; INFINITY: no limit.
  * progress: receives the progress; may be null.
@@ -338,8 +347,8 @@ KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 
 /* -- Undo -- */
 
-/* Undo the last step of the history, or redo the step undone last: a stroke, an added body, an edit of a
- * piece, or the simulation since the last other step. The world is restored to the bit.
+/* Undo the last step of the history, or redo the step undone last: a stroke, a plane cut, an added body, an
+ * edit of a piece, a joint, the environment, or consecutive simulation. The world is restored to the bit.
  * done: receives 1, or 0 if there is nothing to undo or redo; may be null.
  * Errors: KERF_FAILED if the step is no longer stored (see kerf_world_set_undo_memory). O(changes). */
 KERF_API kerf_result kerf_world_undo(kerf_world* world, int* done);
@@ -420,9 +429,9 @@ typedef struct kerf_body_changes {
   const uint32_t* destroyed_pieces; /* labels that had faces and have none now */
 } kerf_body_changes;
 
-/* A piece that moved to another body, e.g. because it began to fall or was edited. The smaller side, the
- * piece or the rest, has a created body, in which face i is the i-th of its faces, in the order of their
- * indices before. The larger side keeps its indices. */
+/* A piece that moved to another body, e.g. because it began to fall or was edited. The side with fewer faces,
+ * the piece or the rest, is copied to a body listed as created: `to` or, if keeps_faces is 1, `from`. Its
+ * face i is the i-th face of that side by previous index. The other side keeps its indices. */
 typedef struct kerf_detached {
   kerf_body from, to;
   uint32_t piece;       /* the label, in both */
@@ -445,15 +454,17 @@ typedef struct kerf_changes {
 #define KERF_CHANGES_INIT \
   { sizeof(kerf_changes), 0, 0, 0, NULL, 0, NULL }
 
-/* Returns all changes since the last call for this world. The first call answers `everything`, as does one
- * after a failed call, or after more changes than a log holds. May be called between steps of a stroke.
- * out: its size is set; its arrays are valid until the next call for this world.
+/* Returns all changes since the last call for this world. The first call sets `everything`, as does a call
+ * after a failed cut or stroke step, or after more changes than the log holds. May be called between steps of
+ * a stroke.
+ * out: its size is set; its arrays are valid until the next kerf_world_take_changes or kerf_world_destroy.
  * About 60 ns per changed face, whatever the size of the world, plus the pieces of changed bodies. */
 KERF_API kerf_result kerf_world_take_changes(kerf_world* world, kerf_changes* out);
 
 /* -- Hits -- */
 
-/* Points of visible surfaces, `count` in each array, 3 numbers for vectors; free with kerf_hits_free. */
+/* Points on faces of visible bodies: `count` in each array, 3 numbers per vector. Initialise with
+ * KERF_HITS_INIT. A query overwrites the struct without freeing it: call kerf_hits_free before reusing it. */
 typedef struct kerf_hits {
   size_t size;
   void* owner; /* internal */
@@ -464,7 +475,7 @@ typedef struct kerf_hits {
   const kerf_body* bodies;    /* KERF_NO_BODY on a miss */
   const uint32_t* faces;      /* KERF_NO_FACE on a miss; the other members are 0 then */
   const uint32_t* pieces;     /* labels in the body */
-  const double* barycentrics; /* of the point in the face, one per corner; corners as in kerf_body_faces */
+  const double* barycentrics; /* of the point, one per corner; corners as in kerf_body_get_faces */
   const double* positions;    /* of the point in the world [m] */
   const double* normals;      /* of the face in the world, unit length, outward; 0 if its area is 0 */
   const uint16_t* materials;  /* index of the material of the mesh */
@@ -483,7 +494,8 @@ KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const doub
                                              const kerf_call_options* options, kerf_hits* out);
 
 /* Finds all surfaces that each of n rays crosses, nearest first. Arguments, errors and cost per crossing are
- * those of kerf_world_nearest_hits. */
+ * those of kerf_world_nearest_hits, but `out` receives an entry per crossing, none on a miss; `offsets`
+ * divides them by ray. */
 KERF_API kerf_result kerf_world_all_hits(const kerf_world* world, const double* origins,
                                          const double* directions, size_t n, const double range[2],
                                          const kerf_call_options* options, kerf_hits* out);
@@ -517,15 +529,16 @@ KERF_API void kerf_hits_free(kerf_hits* hits);
  * O(n log n). */
 KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder);
 
-/* Writes the journal of the world, which the editor opens and `kerf replay` verifies: the cuts since the
- * bodies were added, and next to it a mesh file per added body, NAME-mesh-0001.obj and so on, or .kmesh if
- * it has attributes or described materials.
+/* Writes the journal of the world, which the editor opens and `kerf replay` verifies: all commands that are
+ * not undone, and next to it a mesh file per body added by kerf_world_add, NAME-mesh-0001.obj and so on, or
+ * .kmesh if it has attributes or described materials.
  * path: a .kerf file.
- * Errors: KERF_INVALID_ARGUMENT if the world has no mesh, or a body was added or the material changed after
- * a cut; KERF_FAILED if a file cannot be written. O(n log n). */
+ * Errors: KERF_INVALID_ARGUMENT if the world has no mesh, or if path names a folder, device or pipe;
+ * KERF_FAILED if a file cannot be written. O(n log n). */
 KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char* path);
 
-/* Returns a report of all cuts as JSON, like report.json of `kerf cut`; "file" is the name of the piece.
+/* Returns a report as JSON, like report.json of `kerf cut`: all pieces, and the totals of kerf_world_cut and
+ * of strokes in steps. Omits plane cuts and the cuts of an opened file. "file" is the name of the piece.
  * out: receives the text; free it with kerf_text_free. O(n log n). */
 KERF_API kerf_result kerf_world_report(const kerf_world* world, const kerf_call_options* options, char** out);
 

@@ -29,7 +29,7 @@ typedef enum kerf_result {
   KERF_FAILED = 1,           /* the operation failed: disk full, out of memory */
   KERF_INVALID_ARGUMENT = 2, /* an argument or a file is invalid */
   KERF_CANCELLED = 3,        /* the progress callback cancelled the call */
-  KERF_BUSY = 4              /* another call uses the world; see Threads above */
+  KERF_BUSY = 4              /* another call or a stroke in steps uses the world; see kerf_c.h */
 } kerf_result;
 
 /* Returns the version of the library, such as "0.2.0"; a static string. */
@@ -62,10 +62,11 @@ typedef struct kerf_call_options {
 typedef struct kerf_mesh kerf_mesh;
 
 /* Reads a mesh file. Welds equal positions; drops faces with an index out of range, a non-finite
- * position, or two corners at the same position.
- * path: an OBJ, PLY, STL, OFF, glTF or 3MF file; the content decides the format.
- * Errors: KERF_INVALID_ARGUMENT if the file cannot be opened or parsed, or has no usable face.
- * O(file size). */
+ * position, or two corners at the same position. Lengths in OBJ, PLY, STL and OFF count as metres; 3MF is
+ * converted to metres.
+ * path: an OBJ, PLY, STL, OFF, glTF, 3MF or Kerf (.kmesh) file; the content decides the format.
+ * Errors: KERF_INVALID_ARGUMENT if the file cannot be opened or parsed, or has no usable face;
+ * KERF_CANCELLED. O(file size). */
 KERF_API kerf_result kerf_mesh_read(const char* path, const kerf_call_options* options, kerf_mesh** out);
 
 /* Creates a mesh from arrays, which are copied. Equal positions are welded when it is added to a world.
@@ -111,8 +112,8 @@ KERF_API kerf_result kerf_mesh_decode(const void* bytes, size_t byte_count, cons
 KERF_API kerf_result kerf_mesh_encode(const kerf_mesh* mesh, const char* format, char** bytes,
                                       size_t* byte_count);
 
-/* Return the number of warnings of reading the mesh, such as dropped faces, 0 if `mesh` is null, or one of
- * them, a sentence that is valid while the mesh exists; null if there is no such warning. O(1). */
+/* Warnings from reading the mesh, such as dropped faces. The first function returns their number, 0 if `mesh`
+ * is null; the second one of them, a sentence valid while the mesh exists, null if there is none. O(1). */
 KERF_API size_t kerf_mesh_warning_count(const kerf_mesh* mesh);
 KERF_API const char* kerf_mesh_warning(const kerf_mesh* mesh, size_t warning);
 
@@ -143,7 +144,8 @@ KERF_API size_t kerf_mesh_face_count(const kerf_mesh* mesh);
 KERF_API const double* kerf_mesh_vertices(const kerf_mesh* mesh);
 KERF_API const uint32_t* kerf_mesh_faces(const kerf_mesh* mesh);
 
-/* Returns the temperatures of the faces of a piece (K); null for another mesh. Valid as long as it. O(1). */
+/* Returns the temperatures of the faces of a piece (K); null for another mesh. Valid while the mesh exists.
+ * O(1). */
 KERF_API const double* kerf_mesh_face_temperatures(const kerf_mesh* mesh);
 
 /* Attributes of a mesh: values at the corners of its faces, as read or interpolated by cuts. Names are as in
@@ -189,7 +191,7 @@ typedef struct kerf_mesh_info {
   double position[3];    /* of the body that owns the piece [m]: x_world = orientation * x_body + position */
   double orientation[4]; /* quaternion w x y z; the vertices are already in world coordinates */
   double volume;         /* m^3, of a closed piece; 0 for an open one and any other mesh */
-  int is_closed;         /* 1 if the mesh is a piece in which each edge has two faces, else 0 */
+  int is_closed;         /* 1 if a piece uses each edge equally often in both directions, else 0 */
   int reserved;          /* 0 */
 } kerf_mesh_info;
 #define KERF_MESH_INFO_INIT \

@@ -165,7 +165,7 @@ std::vector<Stroke> strokes_argument(const py::handle& object) {
     throw py::type_error("strokes: must be a kerf.Stroke or a sequence of them, not " + type_of(object));
   std::vector<Stroke> strokes;
   for (const py::handle stroke : object) {
-    const std::string name = "strokes: number " + std::to_string(strokes.size());
+    const std::string name = "strokes[" + std::to_string(strokes.size()) + "]";
     strokes.push_back(instance_argument<Stroke>(stroke, name.c_str(), "kerf.Stroke"));
   }
   return strokes;

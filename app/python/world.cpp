@@ -33,7 +33,8 @@ CutSettings settings_of(const py::object& target_edge, const py::object& toleran
   if (!material.is_none()) settings.material = text_argument(material, "material");
   if (bodies.is_none()) return settings;
   settings.bodies = indices_argument<BodyId>(bodies, "bodies");
-  if (settings.bodies.empty()) throw py::value_error("bodies: must not be empty; None cuts all bodies");
+  if (settings.bodies.empty())
+    throw py::value_error("bodies: must not be empty; None cuts all visible bodies");
   return settings;
 }
 

@@ -58,17 +58,18 @@ namespace {
 Status check_laser(const kerf_stroke& stroke, const std::string& where) {
   const auto is_not_negative = [](double x) { return std::isfinite(x) && x >= 0; };
   if (!is_not_negative(stroke.radius))
-    return bad_input(where + ": the radius must be a length in metres, or 0");
+    return bad_input(where + ": the radius must be a finite length in metres >= 0");
   if (!is_not_negative(stroke.range[0]) || !is_not_negative(stroke.range[1]) ||
       stroke.range[1] < stroke.range[0])
     return bad_input(where + ": the range must be two lengths in metres, 0 <= min <= max");
-  if (!is_not_negative(stroke.power)) return bad_input(where + ": the power must be a number of watts");
+  if (!is_not_negative(stroke.power))
+    return bad_input(where + ": the power must be a finite number of watts >= 0");
   if (!is_not_negative(stroke.wavelength))
-    return bad_input(where + ": the wavelength must be a length in metres, or 0");
+    return bad_input(where + ": the wavelength must be a finite length in metres >= 0");
   if (!(stroke.focus > 0))
     return bad_input(where + ": the focus must be a length in metres greater than zero, or infinity");
   if (!is_not_negative(stroke.pulse_rate))
-    return bad_input(where + ": the pulse rate must be a number of Hz");
+    return bad_input(where + ": the pulse rate must be a finite number of Hz >= 0");
   if (!(stroke.duty > 0 && stroke.duty <= 1))
     return bad_input(where + ": the duty must be greater than 0 and at most 1");
   if (!is_either(number_in(stroke.assist), KERF_ASSIST_NONE, KERF_ASSIST_OXYGEN))
@@ -77,11 +78,11 @@ Status check_laser(const kerf_stroke& stroke, const std::string& where) {
 }
 
 Result<StrokePath> path_of(const kerf_stroke& stroke, size_t number) {
-  const std::string where = "strokes: number " + std::to_string(number);
+  const std::string where = "strokes[" + std::to_string(number) + "]";
   if (stroke.keys == nullptr || stroke.key_count == 0) return bad_input(where + " has no key");
   StrokePath path;
   for (size_t i = 0; i < stroke.key_count; ++i) {
-    const Status added = add_key(stroke.keys[i], where + ", key " + std::to_string(i), path);
+    const Status added = add_key(stroke.keys[i], where + ".keys[" + std::to_string(i) + "]", path);
     if (!added) return added.error();
   }
   if (const Status valid = check_laser(stroke, where); !valid) return valid.error();
@@ -148,7 +149,7 @@ CutSettings settings_of(const kerf_cut_settings& s, const StrokePath& stroke, ke
 // Returns an error if lengths derived from the size of the world, or from the radius, are unusable.
 Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   const auto is_usable = [](double length) { return std::isfinite(length) && length > 0; };
-  const std::string where = "strokes: number " + std::to_string(number);
+  const std::string where = "strokes[" + std::to_string(number) + "]";
   if (!is_usable(s.laser.radius) || !std::isfinite(s.laser.range.high)) {
     std::ostringstream size;
     size.imbue(std::locale::classic());
@@ -167,7 +168,7 @@ Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, 
                                                        size_t count, const kerf_cut_settings& settings) {
   if (!world.bounds && count > 0) return bad_input("the world has no mesh; add one before a cut");
   if (settings.bodies != nullptr && settings.body_count == 0)
-    return bad_input("bodies: must not be an empty list; null cuts all bodies");
+    return bad_input("bodies: must not be an empty list; null cuts all visible bodies");
   for (size_t i = 0; i < settings.body_count; ++i) {
     const auto body = body_of(world.document.world(), settings.bodies[i]);
     if (!body) return body.error();

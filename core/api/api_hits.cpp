@@ -326,7 +326,8 @@ kerf_result kerf_world_closest_points(const kerf_world* world, const double* poi
       world, options, out,
       [&](const kerf::World& in, const kerf::Progress& progress, kerf::HitArrays& arrays) -> kerf::Status {
         if (n > 0 && points == nullptr) return kerf::bad_input("points: must not be null");
-        if (!(max_distance >= 0)) return kerf::bad_input("max_distance: must be a length in metres");
+        if (!(max_distance >= 0))
+          return kerf::bad_input("max_distance: must be a length in metres >= 0, or infinity");
         if (const kerf::Status finite = kerf::check_finite(points, n, "points"); !finite) return finite;
         const std::vector<kerf::BodyId> ids = kerf::cuttable(in);
         return kerf::find_one_each(in, n, progress, arrays, [&](size_t i) {

@@ -230,13 +230,13 @@ inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Convert ids of bodies.
 // Returns the first number of an array of vectors; null if it is empty.
 inline const double* numbers_of(const std::vector<Vec3>& vectors) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   return vectors.empty() ? nullptr : &vectors.front().x;
 }
 
+// Convert the id of a body to and from the C interface.
 inline kerf_body to_api(BodyId id) { return uint64_t{id.generation} << 32 | id.slot; }
 inline BodyId from_api(kerf_body body) {
   return {static_cast<uint32_t>(body), static_cast<uint32_t>(body >> 32)};

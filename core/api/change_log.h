@@ -20,7 +20,7 @@ class ChangeLog {
  public:
   // Records the changes of a step. O(listed faces).
   void record(const World& world, const Delta& delta);
-  // The next take answers that everything changed.
+  // Makes the next take() report that everything changed.
   void lose() { everything_ = true; }
 
   // Returns the changes since the last take; they refer to memory of this object, valid until the next take.

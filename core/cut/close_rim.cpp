@@ -131,7 +131,8 @@ Task<Done> WallClosing::find_sides() {
   const std::vector<bool> was_open = co_await parts_around(elsewhere);
   std::erase_if(sides_, [&](const RimSide& s) { return was_open[s.face.index]; });
   const Vec3 there = mesh().position(open_side->from);
-  const char* why = sides_.empty() ? "it was open before the stroke" : "a part was open before the stroke";
+  const char* why =
+      sides_.empty() ? "the solid was open before the stroke" : "a part was open before the stroke";
   left_open_.push_back(left_open(why, there).message);
   co_return Done{};
 }

@@ -37,10 +37,10 @@ struct Pegs {
 // Works on open and non-manifold meshes; a solid body with an open section is left open and listed in the
 // delta.
 //
-// A vertex whose distance cannot be told from zero in double precision (see kOnKnife) lies on the plane; it
-// is not moved. A face in the plane belongs to the side that it faces away from, as in a solid. A crossed
-// edge gets one vertex, whose position depends only on the ends of the edge, so that the pieces fit to the
-// bit.
+// A vertex whose distance cannot be distinguished from zero in double precision (see kOnKnife) lies on the
+// plane; it is not moved. A face in the plane belongs to the side that it faces away from, as in a solid. A
+// crossed edge gets one vertex, whose position depends only on the ends of the edge, so that the pieces fit
+// to the bit.
 //
 // Pegs are prisms of kPegSides sides, spread over the section with half a radius of material around them and
 // their holes. Fewer than `count` are made where there is no room; SolidChange counts those made.

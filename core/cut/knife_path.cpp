@@ -159,14 +159,14 @@ class PathCut {
     if (sides_.empty()) return;
     find_parts();
     if (const std::optional<Vec3> place = find_separated())
-      note(left_open, "the knife does not pass right through, so the part stays connected", *place);
+      note(left_open, "the part stays connected, because the knife does not pass right through it", *place);
     if (separated_.empty()) return;
     std::array<SurfaceWalls, 2> walls;
     if (step_.body().solid) {
       for (const bool left : {false, true}) {
         std::optional<SurfaceWalls> made = make_walls(left);
         if (!made) {
-          note(left_open, "the knife ends inside the solid, so the part stays connected",
+          note(left_open, "the part stays connected, because the knife ends inside the solid",
                mesh().position(separated_.begin()->second.front().from));
           return;
         }

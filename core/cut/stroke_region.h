@@ -88,8 +88,8 @@ class SweptDistance {
  private:
   // Parts first .. end - 1. `middle` is a pose in the middle. The origins of the other poses differ from its
   // origin by at most `aside` metres, along its direction by at most `shift`, and their unit directions from
-  // its direction by at most `apart`. On the straight way between the first and the last pose there is for
-  // each pose one whose origin differs by at most `bulge` metres and whose direction by at most `bend`.
+  // its direction by at most `apart`. For each pose, the linear interpolation from `from` to `to` contains
+  // one whose origin differs by at most `bulge` metres and whose direction by at most `bend`.
   struct Node {
     size_t first, end;
     Pose middle, from, to;

@@ -17,7 +17,7 @@ namespace kerf {
 
 // A segment of a stroke, i.e. the way between two keys, or of all keys of a line of a program.
 struct CutSegment {
-  size_t stroke = 0, segment = 0;  // the first one, by key
+  size_t stroke = 0, segment = 0;  // indices from 0; for a line of a program, its first segment
   std::optional<size_t> line;      // of the program
 };
 

@@ -100,7 +100,7 @@ class Document {
   // - a part of the search for separated pieces, which must finish before the next stroke or tick
   // - up to `most` ticks, or one tick in which bodies move
   // - a change of the spring
-  // Calling it while waiting() > 0 executes the whole queue.
+  // Calling it repeatedly until waiting() is 0 executes the whole queue.
   //
   // On failure the stroke is undone; a failed recut also undoes the stroke that it replaces. Caches of the
   // world must then be rebuilt completely. If `progress` stopped the step, the stroke is also undone in the

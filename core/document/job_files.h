@@ -102,8 +102,9 @@ std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& 
 // Returns the strokes as lines of the plane of plane_onto("-y"), or their program. Strokes with another
 // direction, or lines that are not level, are bad input. A closed line is one that ends at its first point.
 Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes);
-// S is the power at `power_at_s1000` [W]; without that the largest power of the strokes, or 1000, is S1000.
-// Powers that the strokes do not give are S1000.
+// Returns the strokes as a G-code program. PostProcessor::full_power stands for `power_at_s1000` [W]; by
+// default for the largest power of the strokes, or for 1000 W if none has a power. Strokes without a power
+// use full power.
 Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000,
                                   const PostProcessor& post = {});
 // Reads the JSON of a post-processor, whose keys are the members of PostProcessor; missing ones keep their

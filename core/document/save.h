@@ -63,10 +63,10 @@ Status save_scene(const std::filesystem::path& file, const SceneDescription& sce
 // Writes a path file (.json) with save_file. Reading it restores the strokes to the bit.
 Status save_path(const std::filesystem::path& file, std::span<const StrokePath> strokes);
 
-// Writes the current visible bodies of a world: an OBJ file for each, in its frame, and a scene
-// file that names them. `description` supplies everything except the bodies. Creates the folder if it is
-// missing and overwrites files with these names. Returns the scene file. Fails if a file cannot be written;
-// files written before remain. O(faces * log(faces)).
+// Writes the visible bodies of a world: for each an OBJ file in its frame, or a Kerf mesh (.kmesh) if it has
+// looks, and a scene file that names them. `description` supplies everything except the bodies. Creates the
+// folder if it is missing and overwrites files with these names. Returns the scene file. Fails if a file
+// cannot be written; files written before remain. O(faces * log(faces)).
 Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescription description,
                                                   const std::filesystem::path& folder);
 

@@ -198,7 +198,7 @@ class GcodeReader {
     }
     // Two kinds of coolant may be on at once.
     const bool is_coolant = word.letter == 'M' && word.value >= 7 && word.value <= 9;
-    if (*place && !is_coolant) return wrong(word.at, "the line has two words that exclude each other");
+    if (*place && !is_coolant) return wrong(word.at, "the line has two mutually exclusive words");
     *place = word;
     return Done{};
   }
@@ -434,7 +434,7 @@ class GcodeReader {
       return wrong(block.at, "an arc with R must end at another point; use I and J for a full turn");
     // A radius that is too short by rounding of the program counts as half the chord.
     if (std::abs(radius) < half && half - std::abs(radius) > 1e-3 * half + 5e-6)
-      return wrong(block.letter('R')->at, "R is shorter than half the distance of the end points");
+      return wrong(block.letter('R')->at, "R is smaller than half the distance between the end points");
     const double height = std::sqrt(std::max(0.0, radius * radius - half * half)) / (2 * half);
     const bool left = (motion_ == GcodeMotion::kCounterClockwise) == (radius > 0);
     centre = 0.5 * (from + to) + (left ? height : -height) * Vec2(-chord.y, chord.x);
@@ -456,9 +456,9 @@ class GcodeReader {
     centre = {offset(u, from.x, offset_.point[u]), offset(v, from.y, offset_.point[v])};
     // The tolerance of GRBL: 0.5 mm, and 0.005 mm or a thousandth of the radius.
     const double radius = glm::length(from - centre), error = std::abs(glm::length(to - centre) - radius);
-    if (!(radius > 0)) return wrong(block.at, "the centre of the arc is its start");
+    if (!(radius > 0)) return wrong(block.at, "the arc starts at its centre");
     if (error > 0.0005 || (error > 0.000005 && error > 0.001 * radius))
-      return wrong(block.at, "start and end of the arc have different distances from its centre");
+      return wrong(block.at, "the start and the end of the arc are at different distances from its centre");
     return Done{};
   }
 

@@ -83,7 +83,7 @@ class SvgReader {
                       std::string("invalid XML: ") + parsed.description());
     const pugi::xml_node root = document_.document_element();
     if (local_name(root.name()) != "svg")
-      return wrong(root, "", {0, "the file is no SVG: its root is not <svg>"});
+      return wrong(root, "", {0, "the file is not an SVG file: its root element is not <svg>"});
     if (const Status s = collect_ids(); !s) return s.error();
     Frame frame;
     if (const Status s = read_page(root, frame); !s) return s.error();

@@ -57,8 +57,8 @@ struct BuiltMesh {
 // - Splits edges of three or more faces into rings, in which each closed shell has one edge.
 // - Gives each fan of faces around a vertex a vertex of its own.
 // Face slots have the order of the soup's triangles. Fails if no face remains, for a mesh wider than 1e150 m,
-// whose squared lengths may overflow, or with cancelled() when stopped; `progress` may be null. Precondition: all indices of the soup are in range. O(n log d), where d is
-// the maximum number of edges at a vertex.
+// whose squared lengths may overflow, or with cancelled() when stopped; `progress` may be null. Precondition:
+// all indices of the soup are in range. O(n log d), where d is the maximum number of edges at a vertex.
 Result<BuiltMesh> build_mesh(const Soup& soup, const Progress* progress = nullptr);
 
 }  // namespace kerf

@@ -22,8 +22,8 @@ struct ConvexHull {
 // O(max_vertices^2) per vertex of the full hull.
 ConvexHull convex_hull(std::span<const Vec3> points, size_t max_vertices);
 
-// Returns the corners of both sides of a sheet: for each triangle with an area six points, half the thickness
-// above and below its corners.
+// Returns the corners of both sides of a sheet: six points per triangle of non-zero area, offset from its
+// corners along its normal by plus and minus half the thickness [m].
 std::vector<Vec3> thickened_sheet(std::span<const Vec3> positions,
                                   std::span<const std::array<uint32_t, 3>> triangles, double thickness);
 

@@ -90,7 +90,7 @@ class ShadowCaster {
     return vertices_[corner_[3 * face]].piece;
   }
 
-  // Ends of an edge in the float frame. `low` lexicographic_less `high` in the lexicographic order of x, y
+  // Ends of an edge in the float frame. `low` precedes `high` in the lexicographic order of x, y
   // and z, so that equal edges of different bodies and pieces are drawn identically to the bit.
   struct Ends {
     glm::vec3 low, high;

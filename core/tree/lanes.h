@@ -17,7 +17,7 @@ using Int4 = int32_t __attribute__((vector_size(16)));
 inline Float4 all_lanes(float x) { return Float4{x, x, x, x}; }
 inline Int4 all_lanes(int32_t x) { return Int4{x, x, x, x}; }
 
-// Precondition of these four: four numbers.
+// Load and store four numbers. Precondition: `p` points to four numbers; no alignment is required.
 inline Float4 load_lanes(const float* p) {
   Float4 v;
   __builtin_memcpy(&v, p, sizeof v);

@@ -25,8 +25,8 @@ struct Surface {
 std::vector<Vec3> sample_surface(const Mesh& mesh, size_t count);
 
 // Returns the distance of a point from a surface [m]. `closed`: the surface is closed and consistently
-// oriented; then the distance of a point around which its winding number, counted along a ray, is positive
-// is negative. Precondition: the surface has faces. O(log n) in general.
+// oriented; the distance is then negative for points inside, i.e. those with a positive winding number,
+// counted along a ray. Precondition: the surface has faces. O(log n) in general.
 double signed_distance(const Surface& surface, bool closed, const Vec3& at);
 
 // A rotation about the origin and then a translation [m].

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-// Figures of the boxes of one level of a tree.
+// Statistics of the boxes of one level of a tree.
 struct TreeLevel {
   size_t boxes = 0;
   size_t leaves = 0;  // boxes of single faces
@@ -30,11 +30,11 @@ struct TreeStatistics {
   double cost() const;
   double overlap() const;
   size_t edited() const;
-  // Adds the figures of another tree, level by level.
+  // Adds the statistics of another tree, level by level.
   void add(const TreeStatistics& other);
 };
 
-// Returns the figures of a tree. Preconditions: those of AabbTree::for_each_box. O(boxes).
+// Returns the statistics of a tree. Preconditions: those of AabbTree::for_each_box. O(boxes).
 TreeStatistics tree_statistics(const AabbTree& tree, const Mesh& mesh);
 
 }  // namespace kerf

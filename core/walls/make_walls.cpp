@@ -291,7 +291,8 @@ class WallMaker {
       co_return left_open("the part intersects itself", here);
     if ((below > 0 && (!ends_.high || *ends_.high < depths.high)) ||
         (above > 0 && (!ends_.low || *ends_.low > depths.low)))
-      co_return left_open("the range of the beam ends in the part at no single depth", here);
+      co_return left_open(
+          "the range of the beam ends inside the part at a depth that varies along the stroke", here);
     if ((below > 0 && winds_at(side, *ends_.high, 1) != 1) ||
         (above > 0 && winds_at(side, *ends_.low, -1) != 1))
       co_return left_open("the part is turned inside out, or not closed", here);
@@ -338,7 +339,7 @@ class WallMaker {
         co_return Done{};
       }
     }
-    co_return left_open("the sides of the beam at different depths do not correspond", here);
+    co_return left_open("the outline of the swept beam differs too much between depths of the part", here);
   }
 
   // Returns the wall between the vertices of the rim; nullopt if it would need too many further ones.

@@ -303,12 +303,12 @@ Task<Result<SweptSides>> swept_sides(const Mesh& mesh, std::span<const VertexId>
                                      const WallStroke& stroke) {
   KERF_ASSERT(!vertices.empty());
   const Vec3 first = mesh.position(vertices[0]);
-  const char* why = "the beam turned too far for walls";
+  const char* why = "the beam turns by more than 72 degrees from its middle direction";
   for (const BeamPencil& pencil : BeamPencil::all_of(stroke.moves, stroke.radius)) {
     const Interval depths = depths_of(pencil, mesh, vertices);
     auto chart = co_await WallChart::make(pencil, stroke.moves, stroke.radius, depths, stroke.range);
     if (!chart) {
-      why = "the sides of the beam at different depths do not correspond";
+      why = "the outline of the swept beam differs too much between depths of the part";
       continue;
     }
     const double longer = pencil.longest_ellipse(stroke.moves, depths.high) - 1;

@@ -87,7 +87,7 @@ struct JointSide {
   double reaches_pin = std::numeric_limits<double>::infinity();
 };
 
-// A joint between two parts of a mesh that are not connected, or are no longer after a cut.
+// A joint between two parts of a mesh that are not connected, or no longer connected after a cut.
 //
 // A joint is intact while each side has remaining faces, these are connected, and, for a hinge, some of them
 // reach its pin. This follows from the faces alone (see held_joints in core/joints), so undo and replay store
@@ -103,7 +103,7 @@ struct Joint {
   std::array<JointSide, 2> sides;
   Vec3 anchor{0};                  // m, a point of the axis, in the frame of the body
   Vec3 axis{0, 1, 0};              // unit, in the frame of the body
-  std::optional<Interval> limits;  // angle of the second part relative to the first [rad]
+  std::optional<Interval> limits;  // angle of the first part relative to the second [rad]
 };
 
 // All joints of a world; cuts do not change them.

@@ -174,7 +174,7 @@ class World {
   bool contains(BodyId id) const {
     return id.slot < slots_.size() && slots_[id.slot].alive && slots_[id.slot].generation == id.generation;
   }
-  // Precondition: contains(id), and an open change that only adds bodies has added it.
+  // Preconditions: contains(id); if a change that only adds bodies is open, it added this body.
   Body& body(BodyId id) {
     KERF_ASSERT(id.slot >= first_editable_);
     return slots_[checked(id)].body;

@@ -69,7 +69,7 @@ struct SolidChange {
 // A solid body that a stroke left open, and why.
 struct LeftOpen {
   BodyId body;
-  std::string why;  // reason and place, a sentence for the user
+  std::string why;  // reason and place, in the frame of the body, without its unit (see left_open_text)
 };
 
 // Changes made to the world by a step. Caches of the world apply them in this order: drop the destroyed

@@ -72,7 +72,7 @@ class Module(unittest.TestCase):
 
     def test_an_argument_of_the_wrong_type_raises_a_type_error_that_names_it(self):
         cut, stroke = self.world.cut, slot(self.mesh)
-        for word, bad in (('strokes', lambda: cut(5)), ('strokes: number 1', lambda: cut([stroke, 'x'])),
+        for word, bad in (('strokes', lambda: cut(5)), ('strokes[1]', lambda: cut([stroke, 'x'])),
                           ('mesh', lambda: self.world.add(5)), ('mesh', lambda: self.world.add(None)),
                           ('name', lambda: self.world.add(self.mesh, name=b'x')), ('radius', lambda: kerf.Stroke([], radius='0.1')),
                           ('range', lambda: kerf.Stroke([], range=('0', 1))), ('keys', lambda: kerf.Stroke(5)),

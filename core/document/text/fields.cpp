@@ -80,7 +80,7 @@ Result<Vec3> vector_by(const JsonValue& value, VectorRule rule) {
     return value.wrong("must have length 1");
   if (rule == VectorRule::kNotZero && *v == Vec3(0)) return value.wrong("must not be zero");
   if (rule == VectorRule::kNearby && !(glm::length(*v) < kFarthest))
-    return value.wrong("is farther than 100000 m away");
+    return value.wrong("is more than 100000 m from the origin");
   return v;
 }
 
@@ -396,8 +396,8 @@ void Fields::end() {
   if (!reading() || !good()) return;
   for (const auto& item : in_->json().items()) {
     if (std::find(keys_.begin(), keys_.end(), item.key()) != keys_.end()) continue;
-    return note(
-        (*in_)[item.key()].wrong("is not a key of this version here" + nearest_name_hint(item.key(), keys_)));
+    return note((*in_)[item.key()].wrong("is not a valid key here in this version" +
+                                         nearest_name_hint(item.key(), keys_)));
   }
 }
 

@@ -34,7 +34,7 @@ Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* pr
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) return bad_input(file.string() + ": no such file");
   if (!std::filesystem::is_regular_file(status)) {
-    return bad_input(file.string() + ": not a regular file, which a journal needs to read it again");
+    return bad_input(file.string() + ": not a regular file; a journal can refer only to regular files");
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");

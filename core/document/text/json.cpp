@@ -137,7 +137,7 @@ Result<Interval> JsonValue::pair() const {
 Result<Interval> JsonValue::interval() const {
   const auto range = pair();
   if (range && (range->low > range->high || range->low < 0))
-    return wrong("must be a range from small to large that starts at 0 or above");
+    return wrong("must be [min, max] with 0 <= min <= max");
   return range;
 }
 

@@ -101,7 +101,7 @@ Result<std::vector<GltfMatrix>> gltf_instances(const GltfFile& file, const nlohm
     if (!*values) return values->error();
     if (!**values) continue;
     if (count.value_or((**values)->size()) != (**values)->size())
-      return file.wrong(where, "must have as many values of each kind");
+      return file.wrong(where, "must have the same number of TRANSLATION, ROTATION and SCALE values");
     count = (**values)->size();
   }
   if (!count) return file.wrong(where, "has no TRANSLATION, ROTATION or SCALE");

@@ -197,7 +197,7 @@ TEST(SvgDrawing, errors_name_line_and_column) {
                 .find("line 1, column 20: width: the unit must be"),
             std::string::npos);
   EXPECT_NE(svg_error("<svg>\n<g>\n</svg>").find("test.svg, line 3"), std::string::npos);
-  EXPECT_NE(svg_error("<html/>").find("no SVG"), std::string::npos);
+  EXPECT_NE(svg_error("<html/>").find("not an SVG"), std::string::npos);
 }
 
 TEST(SvgDrawing, endless_repetition_and_huge_numbers_are_errors) {

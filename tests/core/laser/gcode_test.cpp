@@ -114,7 +114,7 @@ TEST(Gcode, other_words_are_errors_with_line_and_column) {
   EXPECT_NE(gcode_error("G1 F1 Xabc\n").find("line 1, column 7: the letter X must be followed by a number"),
             std::string::npos);
   EXPECT_NE(gcode_error("G1 X1\n").find("needs F"), std::string::npos);
-  EXPECT_NE(gcode_error("G0 G1 X1\n").find("exclude each other"), std::string::npos);
+  EXPECT_NE(gcode_error("G0 G1 X1\n").find("mutually exclusive"), std::string::npos);
   EXPECT_NE(gcode_error("G1 X10 F1\nG2 X5 Y5 I100 J100\n").find("line 2, column 1: start and end of the arc"),
             std::string::npos);
   EXPECT_NE(gcode_error("G2 X5 F1 R1\n").find("R is shorter"), std::string::npos);

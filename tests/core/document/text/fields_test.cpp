@@ -98,7 +98,8 @@ TEST(Fields, report_file_location_and_expected_value) {
             R"(lamp.json: /shade: must be "clear", "matt" or "dark")");
   EXPECT_EQ(error_of(R"({"power": 5, "name": ""})"), "lamp.json: /name: must not be empty");
   EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2]})"), "lamp.json: /at: must be three numbers");
-  EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2, 1e6]})"), "lamp.json: /at: is farther than 100000 m away");
+  EXPECT_EQ(error_of(R"({"power": 5, "at": [1, 2, 1e6]})"),
+            "lamp.json: /at: is more than 100000 m from the origin");
   EXPECT_EQ(error_of(R"({"power": 5, "parts": {}})"), "lamp.json: /parts: must be an array of lamps");
   EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 5}, 7]})"),
             "lamp.json: /parts/1: must be an object");
@@ -108,8 +109,8 @@ TEST(Fields, report_file_location_and_expected_value) {
 
 TEST(Fields, unknown_keys_are_rejected_with_the_nearest_name) {
   const auto unknown = [](const std::string& pointer, const std::string& nearest) {
-    return "lamp.json: " + pointer + ": is not a key of this version here; the nearest name is \"" + nearest +
-           '"';
+    return "lamp.json: " + pointer + ": is not a valid key here in this version; the nearest name is \"" +
+           nearest + '"';
   };
   EXPECT_EQ(error_of(R"({"power": 5, "hieght": 1})"), unknown("/hieght", "height"));
   EXPECT_EQ(error_of(R"({"power": 5, "Count": 1})"), unknown("/Count", "count"));

@@ -72,7 +72,7 @@ TEST_F(AssetRules, reject_unknown_keys_in_rules_and_arena) {
   EXPECT_EQ(error_with("", ""), "");
   const std::string file = (folder_ / "rules.json").string();
   EXPECT_EQ(error_with("", R"(, "times": {"macth": 3})"),
-            file + ": /times/macth: is not a key of this version here; the nearest name is \"match\"");
+            file + ": /times/macth: is not a valid key here in this version; the nearest name is \"match\"");
   EXPECT_NE(error_with("", R"(, "naem": "x")").find("/naem"), std::string::npos);
   EXPECT_NE(error_with(R"(, "haeding": 3)", "").find("/starts/player/haeding"), std::string::npos);
 }

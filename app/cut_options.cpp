@@ -51,7 +51,7 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.text("cut-material", o.cut_material,
          "Material of the cut faces of solids: one of the mesh, or a new one (cut)");
   v.flag("turn-shells", o.turn_shells,
-         "Flip closed parts inside others that face the same way, which makes them cavities");
+         "Flip closed parts that lie inside others and face the same way, so that they become cavities");
   v.number("target-edge", o.target_edge, kPositive,
            "Longest edge under the beam in metres (radius/4; thermal: radius)");
   v.number("tolerance", o.tolerance, kPositive,
@@ -85,7 +85,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.number("ground", o.ground, kFinite,
            "With --settle: height of the ground in metres (the lowest point of all meshes)");
   v.number("thickness", o.thickness, kThickness.range, "Thickness of the sheets, in metres (0.001)");
-  v.number("density", o.density, kDensity.range, "Density of the sheets in kg/m3 (7850, that of mild steel)");
+  v.number("density", o.density, kDensity.range,
+           "Density of the sheets in kg/m3 (that of --material, else 7850)");
 }
 
 // Offers the options on the command line.
@@ -200,7 +201,7 @@ constexpr const char* kPathFile =
 moves on a straight line and its direction along the shorter arc; the beam is on
 for the whole of the stroke. Lengths are in metres, and "t" is in seconds: it
 gives the order of the keys and, for the thermal model, the speed. "laser" and
-what it holds may be left out; it may also hold "wavelength" and "focus" (metres),
+its keys are optional; it may also contain "wavelength" and "focus" (metres),
 "pulse_rate" (Hz) and "duty" (0 to 1).
   {"strokes": [{"laser": {"radius": 0.01, "range": [0, 10], "power": 2000},
                 "keys": [{"t": 0, "origin": [-1.5, 3, 0.4], "direction": [0, -1, 0]},

@@ -41,7 +41,7 @@ std::string cut_summary(const CutJob& job, size_t strokes, size_t planes, size_t
   if (strokes == 0) {
     text = planes > 0 ? "cut along " + count(planes, "plane") : "no strokes given";
   } else if (job.removed_faces == 0 && job.thermal && job.statistics.met_s > 0) {
-    text = count(strokes, "stroke") + " removed nothing, because the beam got through " +
+    text = count(strokes, "stroke") + " removed nothing: the beam reached only " +
            std::to_string(std::lround(100 * job.depth_fraction())) + " % of the thickness";
   } else if (job.removed_faces == 0) {
     text = count(strokes, "stroke") + (job.missed.size() < strokes ? " removed nothing" : " hit nothing");

@@ -92,7 +92,7 @@ class PathRun {
       if (const Status s = parse_tabs(options_.tabs, toolpath_); !s) return s;
     }
     if (!options_.post.empty() && kind != JobFile::Kind::kProgram)
-      return bad_input("--post: requires a program to write, a name that ends in .nc");
+      return bad_input("--post: requires an --out that ends in .nc");
     if (!options_.layers.empty() && !is_drawing_file(options_.file))
       return bad_input("--layers: requires a drawing, .svg or .dxf");
     if (!options_.axes.empty() && job_kind(options_.file) != JobFile::Kind::kProgram)
@@ -187,14 +187,15 @@ void add_path_command(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Drawings and programs lie in the plane y = 0, under a beam along -y: their x is +x and their y is -z. "
       "The\n"
-      "middle of a drawing and the zero of a program are the zero of the world. Drawings have 0.02 m/s.");
+      "middle of a drawing and the zero of a program are the zero of the world. Drawings are cut at 0.02 "
+      "m/s.");
   command->add_option("FILE", o->file, "A path (.json), a drawing (.svg, .dxf) or a program (.nc)")
       ->required();
   command->add_option("-o,--out", o->out, "The file to write: .json, .svg or .nc")->required();
   command->add_option(
       "--compensate", o->compensate,
-      "Side of the waste, seen along the outermost lines, to which the beam is offset: left, right or none "
-      "(none); lines inside others run the other way");
+      "Side of the waste along the outermost lines, to which the beam is offset: left, right or none (none); "
+      "inner lines are reversed");
   add_number(*command, "--radius", o->radius, kPositive, "Beam radius in metres (that of the path file)");
   add_number(*command, "--lead-in", o->lead_in, kPositive,
              "With --compensate: length of a straight entry from the side of the beam, in metres");

@@ -182,8 +182,9 @@ void add_prepare_command(CLI::App& app, Invocation& invocation) {
       ->required();
   command->add_option("--format", o->format, "With --out -: format of the mesh (obj)");
   add_unit_option(*command, o->unit);
-  command->add_flag("--turn-shells", o->turn_shells,
-                    "Turn closed parts inside others that face the same way, which makes them cavities");
+  command->add_flag(
+      "--turn-shells", o->turn_shells,
+      "Flip closed parts that lie inside others and face the same way, so that they become cavities");
   add_number(*command, "--simplify", o->faces, {1, FaceId::kNone}, "Simplify to at most this many faces");
   add_number(*command, "--simplify-error", o->error, kPositive,
              "Instead: maximum approximate distance between the old and the new surface, in metres");

@@ -275,9 +275,10 @@ class ReplayRun {
 
 void add_replay_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
-      "replay", "Replay a journal, print its final hash and compare it with the recorded ones");
+      "replay",
+      "Replay a journal or a recorded match, print its final hash and compare it with the recorded ones");
   auto a = std::make_shared<ReplayArguments>();
-  command->add_option("JOURNAL", a->journal, "A journal (.kerf)")->required();
+  command->add_option("JOURNAL", a->journal, "A journal or the recording of a match (.kerf)")->required();
   command->add_option("-o,--out", a->out, "A folder for the pieces and report.json, like that of kerf cut");
   command->add_option("--expect", a->expect, "The expected final hash");
   auto* frames =

@@ -359,7 +359,8 @@ PyObject* add_exception(py::module_& m, const char* name, const char* doc, const
 
 void add_exceptions(py::module_& m) {
   static Exceptions classes{};
-  classes.error = add_exception(m, "Error", "A failed call; it has changed nothing.", PyExc_RuntimeError);
+  classes.error = add_exception(m, "Error", "A failed call. It changes nothing, unless stated otherwise.",
+                                PyExc_RuntimeError);
   classes.cancelled =
       add_exception(m, "Cancelled", "A call that its progress callback cancelled.", classes.error);
   classes.busy = add_exception(m, "Busy", "A call on a world that another call uses.", classes.error);

@@ -106,8 +106,9 @@ void add_cuts(WorldClass& world) {
            py::arg("threads") = 0,
            "Cuts bodies with strokes, in order, all or nothing.\n\n"
            "strokes: a Stroke or an iterable of them.\n"
-           "target_edge: longest edge under the beam in metres; None: a quarter of the radius.\n"
-           "tolerance: instead, how far the removed area may reach beyond the beam, in metres.\n"
+           "target_edge: longest edge under the beam in metres; None: a quarter of the radius, or the radius "
+           "with the thermal model.\n"
+           "tolerance: instead, maximum overshoot of removed faces beyond the beam, in metres.\n"
            "max_level: instead, the maximum refinement level, 0 to 24.\n"
            "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
            "scheme: \"longest-edge\" or \"one-to-four\", the subdivision of faces.\n"

@@ -485,7 +485,7 @@ class CommandLine(unittest.TestCase):
         report = self.thermal(5)
         self.assertEqual(report["removed"]["faces"], 0)
         depth = f"{100 * report['depth_fraction']:.0f} %"
-        self.assertIn(f"1 stroke removed nothing, because the beam got through {depth} of the thickness", self.said)
+        self.assertIn(f"1 stroke removed nothing: the beam reached only {depth} of the thickness", self.said)
 
     def test_a_beam_with_power_cuts_within_its_energy_and_reports_the_balance(self):
         slow, fast = self.thermal(.1), self.thermal(.5)

@@ -15,7 +15,7 @@ class Window;
 // written.
 Status run_editor(const EditorOptions& options);
 
-// Runs the editor with the world of a game that was left to inspect it, in the window of the game. F5 returns
+// Runs the editor in the window of a suspended game, to inspect its world. F5 returns
 // to the game. Fails likewise, and like save_match_as_scene.
 Status run_editor_after_game(EditorOptions options, Window& window, Gui& gui, FrameLoop& loop,
                              WindowedGame game);

@@ -84,14 +84,21 @@ std::string control_label(GameAction action, const KeyBindings& bindings, bool g
   return gamepad ? action_keys(action).pad_label : key_label(bindings[static_cast<size_t>(action)]);
 }
 
+std::string drive_label(const KeyBindings& bindings, bool gamepad) {
+  if (gamepad) return "Left stick";
+  std::string keys;
+  for (const GameAction action :
+       {GameAction::kForward, GameAction::kLeft, GameAction::kBackward, GameAction::kRight})
+    keys += (keys.empty() ? "" : " ") + control_label(action, bindings, false);
+  return keys;
+}
+
 std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns, bool gamepad) {
   using enum GameAction;
   const auto label = [&](GameAction action) { return control_label(action, bindings, gamepad); };
-  const std::string drive =
-      gamepad ? "Left stick"
-              : label(kForward) + " " + label(kLeft) + " " + label(kBackward) + " " + label(kRight);
   std::vector<std::string> lines{
-      drive + ": drive. " + label(kHandbrake) + ": handbrake. " + label(kBoost) + ": boost",
+      drive_label(bindings, gamepad) + ": drive. " + label(kHandbrake) + ": handbrake. " + label(kBoost) +
+          ": boost",
       gamepad ? "Right stick: aim. Right trigger: fire. Left trigger: steady aim. Bumpers: beam width"
               : "Mouse: aim. Left button: fire. Right button: steady aim. Wheel: beam width",
       "Cut off enemy wheels, lasers, engines and driver's seats", label(kCamera) + ": switch camera"};

@@ -56,6 +56,9 @@ std::string key_label(int key);
 // The key of an action, or its button on a gamepad.
 std::string control_label(GameAction action, const KeyBindings& bindings, bool gamepad);
 
+// The keys for driving, "W A S D", or the stick of a gamepad.
+std::string drive_label(const KeyBindings& bindings, bool gamepad);
+
 // Lines on the keys, or on the buttons of a gamepad, for the beginning of a match.
 std::vector<std::string> guide_lines(const KeyBindings& bindings, bool spawns, bool gamepad);
 

@@ -123,7 +123,7 @@ std::string words_on_medals(const MatchResult& result) {
 constexpr const char* kModeSummaries[] = {
     "Survive five waves of enemy cars before time runs out. You have three cars.",
     "Dismantle a van in two minutes. Intact parts score most.",
-    "No enemies. Press V to spawn a car to cut.",
+    "No enemies. Spawn cars and cut them.",
 };
 
 // Draws a row of choices of equal width. Returns true if the selection changed.
@@ -299,8 +299,8 @@ MenuChoice draw_start_menu(const StartView& view) {
   ImGui::Spacing();
   ImGui::TextDisabled("How to Wreck a Car");
   ImGui::TextWrapped("%s",
-                     "Cut out its engine or driver's seat. Cut through a hub to take off the wheel. Cut "
-                     "posts that fall on it.");
+                     "Cut out its engine or driver's seat. Cut through a hub to take off the wheel. Cut a "
+                     "post so that it falls on the car.");
   ImGui::Spacing();
   draw_scores(view.scores, "High Scores", 0, s.mode == GameMode::kWaves);
   end_menu();

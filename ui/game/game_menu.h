@@ -67,7 +67,7 @@ MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing);
 
 struct MatchResult {
   bool won = false;
-  std::vector<double> medals;  // least scores for bronze, silver and gold; empty if there are none
+  std::vector<double> medals;  // minimum scores for bronze, silver and gold; empty if there are none
   bool ended = false;          // neither won nor lost, without enemies
   std::string why;             // reason of the end, as a sentence
   HighScore score;

@@ -514,10 +514,11 @@ void GameScreen::draw() {
     hud.steady = &steady_;
     if (guide_ && state_ == State::kPlaying)
       hud.guide = guide_lines(settings_.keys, !match_->rules().spawns.empty(), has_gamepad_);
-    hud.next_car_key = control_label(GameAction::kNextCar, settings_.keys, has_gamepad_);
+    hud.keys = settings_.keys;
+    hud.gamepad = has_gamepad_;
     hud.machine = words_on_speed();
     hud.sighted = part;
-    if (lesson_) hud.task = lesson_->task(*match_);
+    if (lesson_) hud.task = lesson_->task(*match_, hud.keys, hud.gamepad);
     draw_hud(hud);
   }
   draw_menu();

@@ -209,11 +209,15 @@ void draw_state(const HudView& view, const HudPaint& paint) {
   if (!view.machine.empty()) paint.plate_text({1.2f * em, 4.4f * em}, view.machine, kSecondary, 0.8f);
   if (view.match.standing().phase == Standing::Phase::kPause && !view.match.has_upgraded())
     paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y},
-                     "Upgrade: 1 cooler laser, 2 faster charging, 3 armour", kText, 1.3f, Align::kMiddle);
+                     view.gamepad
+                         ? "Upgrade with the D-pad: left cooler laser, up faster charging, right armour"
+                         : "Upgrade: 1 cooler laser, 2 faster charging, 3 armour",
+                     kText, 1.3f, Align::kMiddle);
   if (view.match.is_disabled())
     paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y},
-                     "Laser lost: press " + view.next_car_key + " to take your next car", kBad, 1.4f,
-                     Align::kMiddle);
+                     "Laser lost: press " + control_label(GameAction::kNextCar, view.keys, view.gamepad) +
+                         " to take your next car",
+                     kBad, 1.4f, Align::kMiddle);
 }
 
 // An arrow on a circle around the middle, pointing to an off-screen place.

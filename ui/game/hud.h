@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/game/match/match.h"
+#include "ui/game/game_actions.h"
 #include "ui/game/hud_state.h"
 #include "ui/game/player_input.h"
 #include "ui/render/view/camera.h"
@@ -53,7 +54,8 @@ struct HudView {
   Vec3 aim;                             // the player's aim, unit
   double width = 0;                     // of the beam, 0 .. 1
   std::vector<std::string> guide = {};  // lines on the keys; empty: not shown
-  std::string next_car_key = "G";
+  KeyBindings keys = default_bindings();
+  bool gamepad = false;               // name its buttons in place of keys
   const SteadyAim* steady = nullptr;  // null: not shown
   std::string machine = {};           // performance of the machine; empty: not shown
   std::optional<SightedPart> sighted = {};

@@ -210,12 +210,14 @@ Lesson::Lesson(const Match& match) {
   drum_ = nearest_drum(match, place_);
 }
 
-std::optional<Lesson::Task> Lesson::task(const Match& match) const {
+std::optional<Lesson::Task> Lesson::task(const Match& match, const KeyBindings& keys, bool gamepad) const {
   switch (step_) {
     case Step::kDrive:
-      return Task{"Drive to the marker (WASD or arrow keys)", place_};
+      return Task{"Drive to the marker (" + drive_label(keys, gamepad) + ")", place_};
     case Step::kDrum:
-      return Task{"Aim with the mouse and hold the left button to cut the drum in half",
+      return Task{std::string(gamepad ? "Aim with the right stick and hold the right trigger"
+                                      : "Aim with the mouse and hold the left button") +
+                      " to cut the drum in half",
                   place_of(match, drum_)};
     case Step::kWheel:
       return Task{"Get within 18 m of this car and sweep the beam through a wheel hub",

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/game/match/match.h"
+#include "ui/game/game_actions.h"
 
 namespace kerf {
 
@@ -48,7 +49,7 @@ class HudState {
   // Newest first.
   const std::deque<Notice>& notices() const { return notices_; }
   const std::deque<FlyingPoints>& points() const { return points_; }
-  // Time that all has been advanced by [s].
+  // Sum of the times by which the events were advanced [s].
   double clock() const { return clock_; }
   // hurt() falls from 1, when the player was just hit, to 0. hurt_from(): source of that beam [m, world].
   double hurt() const { return hurt_; }
@@ -79,8 +80,9 @@ class Lesson {
     std::string text;
     Vec3 at{0};
   };
-  // Returns nullopt when all tasks are done.
-  std::optional<Task> task(const Match& match) const;
+  // Returns nullopt when all tasks are done. The text names keys, or the parts of a gamepad.
+  std::optional<Task> task(const Match& match, const KeyBindings& keys = default_bindings(),
+                           bool gamepad = false) const;
 
   // Processes the last tick of the match. Returns true if a task was completed in it.
   bool on_tick(const Match& match);

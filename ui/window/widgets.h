@@ -94,7 +94,7 @@ bool row_button(const char* label, int shares, const char* disabled_reason, cons
 bool unit_combo(FileUnit& unit);
 bool up_axis_combo(UpAxis& up);
 
-// Formats the progress of work that goes on, rounded down: "40 %", at most "99 %"; empty if it has not begun.
+// Formats the progress of running work, rounded down: "40 %", at most "99 %"; empty if it has not begun.
 std::string progress_text(double fraction);
 
 // Draws a progress bar over the lower edge of the viewport: title, fraction (0 to 1) and, if `can_stop`, a

@@ -8,7 +8,7 @@
 
 Lengths are in metres, +Y points up, faces are counter-clockwise seen from outside. Paths are str, bytes or os.PathLike.
 
-A failed call has changed nothing and raises
+A failed call changes nothing, unless stated otherwise, and raises
     TypeError          for an argument of the wrong type,
     ValueError         for bad input; the message states what failed and where,
     FileNotFoundError  for a path without a file,

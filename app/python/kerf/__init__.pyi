@@ -28,7 +28,7 @@ class _Triangles(Protocol):
     def triangles(self) -> npt.ArrayLike: ...
 
 class Error(RuntimeError):
-    """A failed call; it has changed nothing."""
+    """A failed call. It changes nothing, unless stated otherwise."""
 
 class Cancelled(Error):
     """A call that its progress callback cancelled."""

@@ -159,7 +159,7 @@ class Section(WindowTest):
         editor.settle()
         report = editor.quit()
         self.assertEqual((report["undo_depth"], report["pieces"]), (0, 1))
-        self.assertIn("The line meets no visible piece.", report["messages"])
+        self.assertIn("The line crosses no visible piece.", report["messages"])
 
     def test_a_polyline_is_closed_at_its_first_point_or_ended_by_enter(self):
         editor = self.open(SPHERE)

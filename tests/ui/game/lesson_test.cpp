@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <GLFW/glfw3.h>
+
 #include <cmath>
 
 #include "core/base/deterministic_math.h"
@@ -50,6 +52,13 @@ class LessonTest : public testing::Test {
   std::unique_ptr<Match> match_;
   std::optional<Lesson> lesson_;
 };
+
+TEST_F(LessonTest, names_the_controls_of_the_player) {
+  KeyBindings keys = default_bindings();
+  bind(GameAction::kForward, GLFW_KEY_I, keys);
+  EXPECT_EQ(lesson_->task(*match_, keys, false)->text, "Drive to the marker (I A S D)");
+  EXPECT_EQ(lesson_->task(*match_, keys, true)->text, "Drive to the marker (Left stick)");
+}
 
 TEST_F(LessonTest, advances_from_hitting_a_drum_to_cutting_a_wheel) {
   const auto drive = lesson_->task(*match_);

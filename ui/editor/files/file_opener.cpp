@@ -233,14 +233,14 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for all");
-  tooltip("Uses these for all files of this kind. The File panel changes them.");
+  tooltip("Uses this unit and axis for all files of this kind. Change them in the File panel.");
   ImGui::SameLine();
   if (ImGui::Button("Use for this file only")) {
     settings.frames[kind].reset();
     view.frame_asked_for.clear();
   }
   mark_last_item("frame for this");
-  tooltip("Other files of this kind are detected by size. The File panel changes them.");
+  tooltip("Units of other files of this kind are detected from their size. Change this in the File panel.");
 }
 
 // Moves the current window to the right border of the viewport: under the axes, or higher if it needs the

@@ -33,7 +33,7 @@ void draw_body(const Body& body, FileUnit unit) {
   const MeshReport& r = body.loaded;
   row("Format", r.format, "File format, detected from the content.");
   row("Faces",
-      counted(r.faces, "triangles") + (r.components > 1 ? " in " + counted(r.components, "parts") : ""),
+      count_text(r.faces, "triangle") + (r.components > 1 ? " in " + counted(r.components, "parts") : ""),
       "Loaded triangles, and the parts connected by shared edges.");
   row("Vertices", grouped(r.vertices), "Number of distinct positions.");
   row("Boundary", counted(r.boundary_edges, r.boundary_edges == 1 ? "edge" : "edges"),
@@ -208,10 +208,10 @@ class FilesFeature : public Feature {
   }
   std::vector<UserAction> save_actions() {
     return {
-        make_action(
-            "file.save", "Save", "Ctrl+S",
-            "Saves the document with its history as a journal (.kerf). The last version becomes .kerf~.",
-            [this] { save(); }),
+        make_action("file.save", "Save", "Ctrl+S",
+                    "Saves the document with its history as a journal (.kerf). The previous version is kept "
+                    "as .kerf~.",
+                    [this] { save(); }),
         make_action("file.save_as", "Save As...", "Ctrl+Shift+S",
                     "Saves as another journal (.kerf), or as a scene (.json) without the cuts.",
                     [this] { select_file_to_save(); }),

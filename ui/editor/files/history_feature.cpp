@@ -139,7 +139,7 @@ void HistoryPanel::draw_list(WorldChanges& changes, const Document& document, Fi
   if (!ImGui::BeginTable("steps", 3, kList, {0, height})) return;
   ImGui::TableSetupColumn("Step", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Removed", ImGuiTableColumnFlags_WidthFixed, widest(rows_, &Row::removed));
-  ImGui::TableSetupColumn("Weight", ImGuiTableColumnFlags_WidthFixed, widest(rows_, &Row::weight));
+  ImGui::TableSetupColumn("Memory", ImGuiTableColumnFlags_WidthFixed, widest(rows_, &Row::weight));
   draw_rows_in_sight(rows_.size(), [&](size_t i) {
     const size_t position = rows_[i].position;
     const std::string name =

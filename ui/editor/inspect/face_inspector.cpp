@@ -294,10 +294,9 @@ FaceFacts face_facts(const Body& body, FaceId face) {
 std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit) {
   const auto length = [&](double metres) { return length_label(metres, unit); };
   const auto angle = [](double degrees) { return text_of("%.1f\u00b0", degrees); };
-  const std::string level = facts.halvings == 0
-                                ? "as loaded"
-                                : "halved " + std::to_string(facts.halvings) + " times from loaded face " +
-                                      std::to_string(facts.loaded.index);
+  const std::string level = facts.halvings == 0 ? "as loaded"
+                                                : count_text(static_cast<size_t>(facts.halvings), "halving") +
+                                                      " of loaded face " + std::to_string(facts.loaded.index);
   return {"Face " + std::to_string(facts.face.index) + ", " + level,
           "Piece   " + body.name_of(facts.piece),
           "Area   " + area_label(facts.area, unit),
@@ -308,7 +307,7 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, File
           temperature_text(facts),
           "Tree   block " + std::to_string(facts.slot.block) + ", place " +
               std::to_string(facts.slot.place + 1) + " of up to 4" +
-              (facts.slot.hit ? "; visited by the beam" : "")};
+              (facts.slot.hit ? "; hit by the beam" : "")};
 }
 
 void HeatProbe::follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked,

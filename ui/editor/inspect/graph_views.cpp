@@ -412,7 +412,7 @@ void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& docu
   }
   ImGui::EndTable();
   if (rows.size() > kMaxRows)
-    ImGui::TextDisabled("%s more are not listed.", grouped(rows.size() - kMaxRows).c_str());
+    ImGui::TextDisabled("%s more not listed.", grouped(rows.size() - kMaxRows).c_str());
   draw_words(rows, document, view);
 }
 

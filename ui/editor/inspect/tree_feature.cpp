@@ -170,7 +170,7 @@ void draw_tree_panel(ViewState& view, const World& world, Settings& settings, co
   depth_row(view, shown);
   TreeOverlay& tree = view.look.tree;
   flag_row(view, "Only", "Leaf Nodes", tree.leaves_only, "Draws only the boxes of single faces.");
-  flag_row(view, "", "Hit Nodes", tree.hit_only, "Draws only the boxes visited by the beam.");
+  flag_row(view, "", "Hit Nodes", tree.hit_only, "Draws only the boxes hit by the beam.");
   flag_row(view, "", "One Level", tree.one_level, "Draws only the boxes of one level.");
   flag_row(view, "Pointer", "Path to Face", path_shown,
            "Draws the boxes from the root to the face under the pointer.");
@@ -229,9 +229,9 @@ class TreeFeature : public Feature {
             flag_action(view_, "tree.path", "Path to the Face under the Pointer", path_shown_,
                         "Draws the boxes from the root to the face under the pointer."),
             flag_action(view_, "tree.hit_only", "Hit Nodes Only", tree.hit_only,
-                        "Draws only the boxes visited by the beam."),
+                        "Draws only the boxes hit by the beam."),
             level_action(view_, services_.statistics.shown, "tree.level_more", "Show One More Level", 1),
-            level_action(view_, services_.statistics.shown, "tree.level_less", "Show One Less Level", -1),
+            level_action(view_, services_.statistics.shown, "tree.level_less", "Show One Level Less", -1),
             palette_action(view_, settings_.palette)};
   }
   void update(double) override {

@@ -49,7 +49,7 @@ void request_cut(Workspace& workspace, const CameraView& camera, std::span<const
   workspace.changes.enqueue("Cut along the curve", [&workspace, command] {
     const auto cut = [command](Document& document, const Progress* progress) {
       Outcome outcome = document.apply(command, progress);
-      if (outcome.ok() && outcome.delta.empty()) outcome.fail(failed("The line meets no visible piece."));
+      if (outcome.ok() && outcome.delta.empty()) outcome.fail(failed("The line crosses no visible piece."));
       return outcome;
     };
     workspace.changes.change(command_label(command, workspace.view.frame.unit),
@@ -264,10 +264,10 @@ class KnifeFeature : public Feature {
                          KnifeShape::kPolyline)};
   }
   std::vector<Gesture> gestures() const override {
-    return {{"cut_line", "Left drag of a line",
-             "Cut along it, with the tool Knife; Shift snaps the angle, Esc cancels"},
-            {"cut_polyline", "Clicks with the shape Polyline",
-             "Cut along them, with the tool Knife; Enter, a double click or the first point ends"}};
+    return {
+        {"cut_line", "Left drag with the Knife tool", "Cut along a line; Shift snaps the angle, Esc cancels"},
+        {"cut_polyline", "Clicks with the Knife tool",
+         "Cut along a polyline; Enter, a double click or the first point ends it"}};
   }
 
   bool handle_event(const InputEvent& event, bool) override {

@@ -472,7 +472,7 @@ class LaserFeature : public Feature {
         choice("resolution.by_edge_length", "Refine by Edge Length", resolution.rule, Rule::kTargetEdge,
                "Splits faces until their edges are short enough."),
         choice("resolution.by_tolerance", "Refine by Tolerance", resolution.rule, Rule::kTolerance,
-               "Splits faces until the removed area exceeds the beam by at most the tolerance."),
+               "Splits faces until removed faces overshoot the beam by at most the tolerance."),
         choice("resolution.by_depth", "Refine by Depth", resolution.rule, Rule::kDepth,
                "Splits faces a fixed number of times."),
         choice("resolution.one_to_four", "Subdivision: One to Four", resolution.scheme, Scheme::kOneToFour,

@@ -143,7 +143,7 @@ std::string draw_cut_material(const Body& body) {
   property("Cut Material");
   if (!begin_fitted_combo("##cut material", body.cut_material)) {
     mark_last_item("cut material");
-    tooltip("Material that cuts through the solid expose; a texture of it lies undistorted on them.");
+    tooltip("Material of the cut faces of a solid; its texture covers them at one tile per metre.");
     return selected;
   }
   for (const std::string& name : body.material_names) {

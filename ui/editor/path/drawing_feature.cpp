@@ -352,7 +352,7 @@ class DrawingFeature : public Feature {
                               "Axis of the cylinder, which goes through the middle of the scene.");
       double radius = plane().wrap;
       if (length_field(fields_, "Wrap Radius", radius, label_unit(radius, workspace_.view.frame.unit),
-                       "Radius round which the drawing is wrapped.", "", kPositive)) {
+                       "Radius of the cylinder around which the drawing is wrapped.", "", kPositive)) {
         placement_.radius = radius;
         is_changed = true;
       }
@@ -458,7 +458,7 @@ class DrawingFeature : public Feature {
     if (!job) return job.error();
     std::vector<DrawnLine>& lines = job->drawing.lines;
     arrange_layers(layers_, lines, job->notes);
-    if (lines.empty()) return bad_input("No layer of the drawing is selected.");
+    if (lines.empty()) return bad_input("All layers are switched off: tick one in the Path panel.");
     const Bounds bounds = workspace_.world().bounds();
     std::vector<StrokePath> all = drawing_strokes(
         lines, drawing_->middle(), placement_.start(bounds, placement_.scale * drawing_->extent()));

@@ -110,7 +110,7 @@ class PathFeature : public Feature {
   std::vector<UserAction> actions() override { return joined({{take_tool_action()}, path_actions()}); }
   std::vector<Gesture> gestures() const override {
     return {{"add_point", "Click on a surface",
-             "Add a point to the path, with the tool Path; Shift begins another stroke"},
+             "Add a point to the path, with the Path tool; Shift begins another stroke"},
             {"move_point", "Left drag on a point or its knob",
              "Move a point of the path over the surface, or turn its beam"}};
   }
@@ -216,11 +216,12 @@ class PathFeature : public Feature {
             .run = [this] { path_.begin_edit(), path_.remove(*path_.selected()); },
             .disabled_reason = [this] { return path_.selected() ? nullptr : "Select a point of the path."; },
             .has_key_when = [this] { return is_active() && path_.selected(); }},
-        make_action("path.undo", "Undo Path Edit", "Ctrl+Z",
-                    "The key works with the Path tool, until the path is run.", [this] { path_.undo(); },
-                    {.disabled_reason =
-                         [this] { return path_.can_undo() ? nullptr : "There is no path edit to undo."; },
-                     .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }}),
+        make_action(
+            "path.undo", "Undo Path Edit", "Ctrl+Z",
+            "Reverts the last path edit. The key works with the Path tool until the path is run.",
+            [this] { path_.undo(); },
+            {.disabled_reason = [this] { return path_.can_undo() ? nullptr : "No path edit to undo."; },
+             .has_key_when = [this, takes_undo] { return takes_undo() && path_.can_undo(); }}),
         make_action(
             "path.redo", "Redo Path Edit", "Ctrl+Shift+Z", "Repeats the undone edit of the path.",
             [this] { path_.redo(); },

@@ -90,7 +90,7 @@ void UncutMarks::draw(Workspace& workspace, ImDrawList& list) const {
 
 void UncutMarks::draw_list() const {
   if (lines_.empty()) return;
-  secondary_text("Not cut through, with the share that is left:");
+  secondary_text("Lines not cut through, and the uncut share of each:");
   constexpr size_t kMaxListed = 12;
   for (size_t i = 0; i < std::min(lines_.size(), kMaxListed); ++i)
     secondary_text(text_of("Line %zu: %.0f %%", lines_[i].stroke + 1, 100 * lines_[i].share));

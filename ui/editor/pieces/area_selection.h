@@ -69,7 +69,7 @@ void shrink_selection(const Document& document, PieceMap& looks);
 enum class SelectionShape { kBox, kLasso };
 
 // Interaction of a press that selects pieces: a click selects the piece under the pointer, a drag those in a
-// box or lasso. Shift adds them to the selection, and Ctrl removes them with the tool Select.
+// box or lasso. Shift adds them to the selection, and Ctrl removes them with the Select tool.
 std::unique_ptr<Interaction> press_on_pieces(Workspace& workspace, SelectionShape shape);
 
 }  // namespace kerf

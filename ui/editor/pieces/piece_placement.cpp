@@ -455,7 +455,7 @@ class TransformFeature : public Feature {
   }
   std::vector<Gesture> gestures() const override {
     return {{"move_piece", "Left drag on an arrow or a ring",
-             "Move or rotate the selected piece with the tool Select; Ctrl snaps to steps and vertices"}};
+             "Move or rotate the selected piece with the Select tool; Ctrl snaps to steps and vertices"}};
   }
   // A piece moved by keys follows the pointer without a button; a click confirms.
   bool handle_event(const InputEvent& event, bool in_picture) override {

@@ -224,7 +224,7 @@ class PiecesFeature : public Feature {
     return {{"select", "Ctrl+click", "Select a piece; Shift adds to the selection"},
             {"select_box", "Ctrl+left drag",
              "Select pieces inside a box or lasso; a box from right to left also those it touches"},
-            {"select_more", "Left drag with the tool Select",
+            {"select_more", "Left drag with the Select tool",
              "Select pieces inside a box or lasso; Shift adds them, Ctrl removes them"},
             {"rename", "Double click on a name in the list", "Rename the piece"}};
   }
@@ -341,7 +341,8 @@ class PiecesFeature : public Feature {
         make_action(
             "pieces.paste", "Paste", "Ctrl+V", "Adds copies of the copied pieces in place and selects them.",
             [this] { request_paste(); },
-            {.disabled_reason = [this] { return copied_.empty() ? "No piece was copied." : nullptr; }}),
+            {.disabled_reason =
+                 [this] { return copied_.empty() ? "Nothing to paste: copy a piece first." : nullptr; }}),
         make_action("pieces.hide", "Hide Selected", "H",
                     "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
                     {.disabled_reason = no_emitter_reason}),

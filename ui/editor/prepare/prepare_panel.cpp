@@ -421,8 +421,8 @@ void PreparePanel::draw_numbers(Preparation& preparation, const Preparation& sho
     }
     case PrepareTool::kSubdivide:
       marked_choice_row("Scheme", "##scheme", preparation.scheme, kSchemes, "scheme",
-                        "Loop and Square Root of 3 round the surface; Midpoint keeps it. Faces become four "
-                        "(Square Root of 3: three).");
+                        "Loop and Square Root of 3 round the surface; Midpoint keeps it. Each face becomes "
+                        "four (Square Root of 3: three).");
       draw_times(preparation, "Number of times that each face is subdivided.", kMaxSubdivisions);
       break;
     case PrepareTool::kSmooth:

@@ -46,7 +46,7 @@ std::string volume_label(double volume, FileUnit unit);
 std::string extents_label(const Vec3& size, FileUnit unit);
 
 // Describes a step of the history. Strokes are numbered and described by the cut bodies and their settings:
-// "Cut 2: roof, radius 4 mm", "Cut 2 again: roof, edges of 3 mm"; other steps by their commands. `unit` is
+// "Cut 2: roof, radius 4 mm", "Recut 2: roof, edges of 3 mm"; other steps by their commands. `unit` is
 // the displayed unit. O(steps). Precondition: the history has the step.
 std::string step_words(const UndoStack& history, size_t step, FileUnit unit);
 

@@ -98,9 +98,10 @@ std::vector<Command> LaserControls::commands_of(std::span<const StrokePath> stro
 namespace {
 
 bool rule_row(ResolutionControls& to) {
-  return choice_row("Refine By", "##rule", to.rule, "Edge Length\0Tolerance\0Depth\0", nullptr,
-                    "Splits faces under the beam up to an edge length, an overshoot of the removed area, or "
-                    "a number of splits.");
+  return choice_row(
+      "Refine By", "##rule", to.rule, "Edge Length\0Tolerance\0Depth\0", nullptr,
+      "Splits faces under the beam up to an edge length, a maximum overshoot of removed faces, or "
+      "a number of splits.");
 }
 
 bool scheme_row(ResolutionControls& to) {

@@ -33,7 +33,7 @@ std::string view_text(const View& view) {
 }
 
 Result<View> parse_view_text(const std::string& text) {
-  constexpr const char* kNone = "The clipboard holds no view: copy one first";
+  constexpr const char* kNone = "No camera on the clipboard: use Copy Camera first";
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return bad_input(kNone);
   JsonValue root(json, "The clipboard");

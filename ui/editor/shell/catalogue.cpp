@@ -138,7 +138,7 @@ constexpr const char* kGestures[] = {"cut",          "cut_line",      "cut_polyl
                                      "escape"};
 
 const std::array<BindingPreset, 2> kPresets{{
-    {"Kerf", "Default keys.", {}},
+    {"Kerf", "Replaces all shortcuts by the default ones.", {}},
     {"Blender",
      "Keys of Blender where Kerf has the same action, such as X, N, F3, Alt+H and Shift+Z.",
      {{"pieces.show_all", "Alt+H"},

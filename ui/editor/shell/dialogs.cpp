@@ -255,8 +255,7 @@ class Dialogs : public Feature {
     actions.push_back({.id = "view.panels", .name = "Panels", .items = [this] {
                          return panel_actions(catalogue_.panels, workspace_.services.panels);
                        }});
-    actions.push_back(make_action("view.sidebar", "Sidebar", "F4",
-                                  "Hides the sidebar, so that the viewport fills the window.",
+    actions.push_back(make_action("view.sidebar", "Sidebar", "F4", "Shows the panels at the right.",
                                   [&shown] { shown = !shown; }, {.checked = [&shown] { return shown; }}));
     bool& toolbar = workspace_.settings.toolbar_shown;
     actions.push_back(make_action(

@@ -153,10 +153,11 @@ SettingRow scale_row(Settings& settings) {
 
 std::vector<SettingRow> appearance_rows(Settings& s) {
   constexpr Page kOwn = Page::kAppearance;
-  return {choice_row(kOwn, "Theme", "Colours of panels and viewport.", s.theme, {"Dark", "Light"}),
+  return {choice_row(kOwn, "Theme", "Colours of panels, menus and viewport.", s.theme, {"Dark", "Light"}),
           scale_row(s),
-          choice_row(kOwn, "Palette", "Accent and boxes of the AABB tree; orange and blue suit most eyes.",
-                     s.palette, {"Red and Green", "Orange and Blue"}),
+          choice_row(kOwn, "Palette",
+                     "Accent and boxes of the AABB tree; orange and blue suit colour-blind users.", s.palette,
+                     {"Red and Green", "Orange and Blue"}),
           flag_row(kOwn, "Toolbar", "The tools at the left edge of the viewport, with their options above.",
                    s.toolbar_shown),
           flag_row(kOwn, "Sidebar", "The panels at the right.", s.side_shown)};
@@ -235,7 +236,7 @@ std::string interval_text(int seconds) {
 
 SettingRow autosave_row(Settings& settings) {
   constexpr const char* kMeaning =
-      "Least time between two autosaves of unsaved changes, which the next start recovers after a crash.";
+      "Minimum time between autosaves. After a crash, the next start offers to recover them.";
   const auto draw = [&settings] {
     ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
     if (begin_fitted_combo("##autosave", interval_text(settings.autosave_seconds))) {
@@ -376,7 +377,7 @@ void draw_keymap_file(SettingsPage& page, Settings& settings) {
   stay_in_row("Reset");
   ImGui::BeginDisabled(is_default);
   if (keymap_button("Reset", "reset keymap",
-                    is_default ? "All shortcuts are the default ones." : "Restores the default shortcuts."))
+                    is_default ? "All shortcuts have their defaults." : "Restores the default shortcuts."))
     settings.bindings.clear();
   ImGui::EndDisabled();
 }
@@ -401,7 +402,7 @@ std::vector<SettingRow> keymap_rows(SettingsPage& page, Settings& settings,
   constexpr Page kOwn = Page::kKeymap;
   std::vector<SettingRow> rows{{.page = kOwn,
                                 .name = "Preset",
-                                .meaning = "Shortcuts of another program.",
+                                .meaning = "Replaces all shortcuts by those of Kerf or Blender.",
                                 .draw = [&settings] { draw_presets(settings); },
                                 .change = [&settings](int by) { take_preset(settings, by); }},
                                {.page = kOwn,

@@ -384,8 +384,9 @@ void draw_pin(Workspace& workspace) {
 
 void draw_statistics(const TickStatistics& statistics) {
   if (statistics.bodies == 0) return;
-  const std::string text = grouped(statistics.bodies) + " bodies, " + grouped(statistics.awake) + " awake, " +
-                           grouped(statistics.contacts) + " contacts";
+  const std::string text = grouped(statistics.bodies) + (statistics.bodies == 1 ? " body, " : " bodies, ") +
+                           grouped(statistics.awake) + " awake, " +
+                           count_text(statistics.contacts, "contact");
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   draw_fitted_text(text, "Counts in the last tick in which bodies moved.");
   ImGui::PopStyleColor();

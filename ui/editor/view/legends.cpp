@@ -37,9 +37,9 @@ Legend legend_of_boxes(const ViewOptions& look) {
   const bool hit_only = look.show.aabb_hit || look.tree.hit_only;
   Legend legend;
   legend.title = look.tree.leaves_only ? "Leaf Nodes" : "AABB Tree";
-  legend.rows.push_back({colours.hit, "visited by the beam"});
-  if (!hit_only) legend.rows.push_back({colours.untouched, "not visited"});
-  if (!hit_only) legend.rows.push_back({colours.edited, "face that a cut made"});
+  legend.rows.push_back({colours.hit, "hit by the beam"});
+  if (!hit_only) legend.rows.push_back({colours.untouched, "not hit"});
+  if (!hit_only) legend.rows.push_back({colours.edited, "face created by a cut"});
   if (look.tree_path) legend.rows.push_back({colours.path, "path to the face under the pointer"});
   if (look.tree.one_level)
     legend.rows.push_back(sentence("only level " + std::to_string(look.tree.deepest) + " below the root"));
@@ -69,7 +69,7 @@ Legend legend_of_rays(const ShadowStatistics& shadows) {
           {{kTracedLit, "lit"},
            {kTracedShadow, "in shadow"},
            {kWrong, "viewport differs: " +
-                        (shadows.wrong ? grouped(*shadows.wrong) + " pixels" : tracing_text(shadows))}}};
+                        (shadows.wrong ? count_text(*shadows.wrong, "pixel") : tracing_text(shadows))}}};
 }
 
 // Returns the legend of a view; empty if it has no colours of its own.
@@ -239,10 +239,8 @@ void scale_row(Settings& settings, double& wanted) {
 
 void DisplayPanel::draw(Settings& settings, const ViewState& view) {
   if (!begin_properties("display")) return;
-  choice_row(
-      "Theme", "##theme", settings.theme, "Dark\0Light\0", nullptr,
-      with_shortcut(view, "Colours of panels and menus; the viewport keeps its own.", "view.light_theme")
-          .c_str());
+  choice_row("Theme", "##theme", settings.theme, "Dark\0Light\0", nullptr,
+             with_shortcut(view, "Colours of panels, menus and viewport.", "view.light_theme").c_str());
   scale_row(settings, wanted_scale_);
   end_properties();
 }
@@ -430,7 +428,7 @@ class ViewFeature : public Feature {
             "view.frame_all", "Frame All", "Home",
             "Fits the scene in the viewport and keeps the direction of view.",
             [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
-        make_action("view.reset_overlays", "Reset All Views", "",
+        make_action("view.reset_overlays", "Reset Overlays", "",
                     "Turns off all overlays and debug views and restores the shadows.",
                     [this] {
                       reset_overlays(workspace_.view.look);
@@ -461,7 +459,7 @@ class ViewFeature : public Feature {
   UserAction theme_action() {
     Theme& theme = workspace_.settings.theme;
     return make_action("view.light_theme", "Light Theme", "F9",
-                       "Light panels and menus; the viewport keeps its colours.",
+                       "Switches panels, menus and viewport between light and dark colours.",
                        [&theme] { theme = theme == Theme::kLight ? Theme::kDark : Theme::kLight; },
                        {.checked = [&theme] { return theme == Theme::kLight; }});
   }

@@ -157,7 +157,9 @@ bool compare_rows(ViewState& view, const ShadowStatistics& statistics) {
   changed |= slider_row({"Split", "##split", "Position of the boundary between the two methods."},
                         shadow.split, 0, 1, "%.2f");
   property("");
-  ImGui::TextUnformatted(statistics.differing ? text_of("%zu pixels differ", *statistics.differing).c_str()
+  ImGui::TextUnformatted(statistics.differing ? (count_text(*statistics.differing, "pixel") +
+                                                 (*statistics.differing == 1 ? " differs" : " differ"))
+                                                    .c_str()
                                               : "counting pixels...");
   tooltip("Pixels of the viewport in shadow with one method and lit with the other.");
   return changed;
@@ -169,7 +171,7 @@ void trace_rows(ViewState& view, const ShadowStatistics& statistics) {
   if (!view.look.show.shadow_reference) return;
   property("");
   ImGui::TextUnformatted(
-      (statistics.wrong ? text_of("%zu pixels wrong", *statistics.wrong) : tracing_text(statistics)).c_str());
+      (statistics.wrong ? count_text(*statistics.wrong, "wrong pixel") : tracing_text(statistics)).c_str());
 }
 
 void select_kind(Light& light, Light::Kind kind, const World::Bounds& bounds) {

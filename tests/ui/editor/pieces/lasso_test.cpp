@@ -45,7 +45,7 @@ TEST(Lasso, of_a_crossed_or_flat_line_contains_nothing_twice) {
   EXPECT_FALSE(Lasso({{0, 1}, {1, 1}, {2, 1}}).contains({1, 1}));
 }
 
-// An editor with spheres of radius 0.5 at x = -2, 0 and 2, the tool Select, and lasso selection.
+// An editor with spheres of radius 0.5 at x = -2, 0 and 2, the Select tool, and lasso selection.
 class LassoDrag : public testing::Test {
  protected:
   LassoDrag() {

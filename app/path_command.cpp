@@ -103,11 +103,17 @@ class PathRun {
     return inputs.check("--out", options_.out);
   }
 
+  // From program to program, S stays as it is.
+  std::optional<double> power_at_s1000() const {
+    const bool keeps = !options_.power_at_s1000 && job_kind(options_.file) == JobFile::Kind::kProgram &&
+                       job_kind(options_.out) == JobFile::Kind::kProgram;
+    return keeps ? 1000 : options_.power_at_s1000;
+  }
+
   Result<std::vector<StrokePath>> strokes_of(const JobFile& job) {
     const JobPlane plane = *plane_onto("-y");
     std::vector<StrokePath> strokes = job.path;
-    if (job.kind == JobFile::Kind::kProgram)
-      strokes = program_strokes(job.program, plane, options_.power_at_s1000);
+    if (job.kind == JobFile::Kind::kProgram) strokes = program_strokes(job.program, plane, power_at_s1000());
     if (job.is_drawing() && !options_.works()) {
       strokes = drawing_strokes(job.drawing.lines, job.drawing.middle, plane);
       set_lasers(layers_, job.drawing.lines, strokes);
@@ -121,8 +127,8 @@ class PathRun {
     return worked(job, strokes, plane);
   }
 
-  // Returns the strokes with compensation, entries and tabs. They have the laser of the first stroke of the
-  // file.
+  // Returns the strokes with compensation, entries and tabs. They have the laser and the mean speed of the
+  // strokes of the file that they were made from, and one radius.
   Result<std::vector<StrokePath>> worked(const JobFile& job, const std::vector<StrokePath>& strokes,
                                          JobPlane plane) {
     std::vector<DrawnLine> lines = job.drawing.lines;
@@ -140,13 +146,30 @@ class PathRun {
     auto toolpath = make_toolpath(std::move(lines), toolpath_);
     if (!toolpath) return bad_input(options_.file + ": " + toolpath.error().message);
     for (const std::string& note : toolpath->notes) warn(options_.file + ": " + note);
+    arrange_by_layers(toolpath->strokes);
     auto made = drawing_strokes(toolpath->strokes, job.drawing.middle, plane);
-    for (StrokePath& stroke : made) {
-      if (!strokes.empty()) stroke.power = strokes.front().power;
-      if (!strokes.empty()) stroke.range = strokes.front().range;
-      stroke.radius = *radius;
-    }
+    for (size_t i = 0; i < made.size() && !job.is_drawing(); ++i)
+      made[i] = with_laser_of(strokes[std::stoul(toolpath->strokes[i].layer)], std::move(made[i]));
     set_lasers(layers_, toolpath->strokes, made);
+    for (StrokePath& stroke : made) stroke.radius = *radius;
+    return made;
+  }
+
+  // Restores the order of the layers, which precedes that of nested lines.
+  void arrange_by_layers(std::vector<DrawnLine>& lines) const {
+    std::vector<std::string> notes_of_reading;
+    arrange_layers(layers_, lines, notes_of_reading);
+  }
+
+  // Returns a stroke of kDrawingSpeed with the laser and the mean speed of another.
+  static StrokePath with_laser_of(const StrokePath& source, StrokePath stroke) {
+    const double speed = way_of(source) / duration_of(source);
+    if (std::isfinite(speed) && speed > 0) {
+      for (double& time : stroke.times) time *= kDrawingSpeed / speed;
+    }
+    StrokePath made = source;
+    made.keys = std::move(stroke.keys);
+    made.times = std::move(stroke.times);
     return made;
   }
 
@@ -155,7 +178,7 @@ class PathRun {
       case JobFile::Kind::kSvg:
         return strokes_svg(strokes);
       case JobFile::Kind::kProgram:
-        return strokes_gcode(strokes, options_.power_at_s1000, post_);
+        return strokes_gcode(strokes, power_at_s1000(), post_);
       default:
         return path_file_text(strokes);
     }
@@ -203,7 +226,8 @@ void add_path_command(CLI::App& app, Invocation& invocation) {
   add_number(*command, "--tolerance", o->tolerance, kPositive,
              "Largest distance of chords from curves, in metres (radius/50, or 0.00001)");
   add_number(*command, "--power-at-s1000", o->power_at_s1000, kPositive,
-             "Beam power at S1000 in programs, in watts (the largest of the path; programs set no power)");
+             "Beam power at S1000 in programs, in watts (the largest of the path; from program to program S "
+             "is kept)");
   command->add_option(
       "--post", o->post,
       "A JSON file with the dialect of the controller that reads the program (one for GRBL and "

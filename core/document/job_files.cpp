@@ -275,6 +275,7 @@ Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes) 
   std::vector<DrawnLine> lines;
   for (size_t i = 0; i < all->size(); ++i) {
     DrawnLine line;
+    line.layer = std::to_string(i);
     const std::vector<Vec3>& points = (*all)[i];
     for (const Vec3& point : points) {
       if (std::abs(point.z - points.front().z) > 1e-9 * (1 + std::abs(point.z)))

@@ -101,6 +101,7 @@ std::vector<StrokePath> program_strokes(const Program& program, const JobPlane& 
 
 // Returns the strokes as lines of the plane of plane_onto("-y"), or their program. Strokes with another
 // direction, or lines that are not level, are bad input. A closed line is one that ends at its first point.
+// The layer of a line is the index of its stroke; strokes of one point have none.
 Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes);
 // Returns the strokes as a G-code program. PostProcessor::full_power stands for `power_at_s1000` [W]; by
 // default for the largest power of the strokes, or for 1000 W if none has a power. Strokes without a power

@@ -103,6 +103,7 @@ void DrawingBuilder::close() {
 }
 
 void DrawingBuilder::end_line() {
+  if (!line_.closed && line_.points.size() > 3 && line_.points.front() == line_.points.back()) return close();
   if (fault_.empty() && line_.points.size() > 1) drawing_.lines.push_back(std::move(line_));
   line_ = {};
 }

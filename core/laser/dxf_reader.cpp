@@ -83,13 +83,14 @@ class DxfReader {
       builder_.leave_out("element of the paper space");
       return Done{};
     }
+    // An entity of a block that is on layer 0 has the layer of the insert.
     std::string layer(entity.text(8));
+    if (!placing.layer.empty() && (layer.empty() || layer == "0")) layer = placing.layer;
     if (const auto found = file_.hidden_layer.find(layer);
         found != file_.hidden_layer.end() && found->second) {
       builder_.leave_out("element of a hidden layer");
       return Done{};
     }
-    if (!placing.layer.empty() && (layer.empty() || layer == "0")) layer = placing.layer;
     const auto mirrored = is_mirrored(entity);
     if (!mirrored) return mirrored.error();
     if (!*mirrored) {

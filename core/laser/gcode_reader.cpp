@@ -17,7 +17,8 @@ namespace kerf {
 namespace {
 
 constexpr double kMaxGcodeNumber = 1e9;
-constexpr double kMaxTurns = 1000;    // of one arc
+constexpr double kMaxTurns = 1000;  // of one arc
+constexpr double kFullTurn = 5e-7;  // rad, as in GRBL: an arc with I and J that turns by less is a full turn
 constexpr double kMaxDuration = 1e9;  // s
 constexpr const char* kTooManyPoints = "the program has more than 4 000 000 points";
 
@@ -218,8 +219,8 @@ class GcodeReader {
   // Executes the words of a line in the order of RS274.
   Status execute(const GcodeBlock& block) {
     if (const int feed = block.word(ModalGroup::kFeed); feed >= 0) {
+      if (inverse_time_ != (feed == 930)) feed_ = turn_feed_ = 0;
       inverse_time_ = feed == 930;
-      feed_ = turn_feed_ = 0;
     }
     if (const int units = block.word(ModalGroup::kUnits); units >= 0) unit_ = units == 200 ? 0.0254 : 0.001;
     if (const Status s = set_feed_and_power(block); !s) return s;
@@ -295,13 +296,24 @@ class GcodeReader {
     return to;
   }
 
+  // Returns the position after G28: the axes of the block at home, or all if it names none.
+  MachinePosition home(const GcodeBlock& block) const {
+    if (!block.has_axis()) return {};
+    MachinePosition to = position_;
+    for (int i = 0; i < 3; ++i) {
+      if (block.letter(static_cast<char>('X' + i))) to.point[i] = 0;
+      if (block.letter(static_cast<char>('A' + i))) to.angles[i] = 0;
+    }
+    return to;
+  }
+
   Status move(const GcodeBlock& block) {
     const int motion = block.word(ModalGroup::kMotion);
     if (motion >= 0) motion_ = static_cast<GcodeMotion>(motion / 10);
     if (block.word(ModalGroup::kSetPosition) >= 0) return set_position(block);
     if (block.word(ModalGroup::kHome) >= 0) {
       if (block.has_axis()) rapid(target(block));
-      rapid({});
+      rapid(home(block));
       return Done{};
     }
     const bool is_arc = motion_ == GcodeMotion::kClockwise || motion_ == GcodeMotion::kCounterClockwise;
@@ -398,7 +410,8 @@ class GcodeReader {
     const double first = glm::length(begin), last = glm::length(end);
     double sweep = det::atan2(cross2(begin, end), glm::dot(begin, end));
     const bool left = motion_ == GcodeMotion::kCounterClockwise;
-    if (from2 == to2) sweep = 0;
+    // Rounding of a program may separate the ends of a full turn.
+    if (!block.letter('R') && std::abs(sweep) <= kFullTurn) sweep = 0;
     if (left && sweep <= 0) sweep += 2 * kPi;
     if (!left && sweep >= 0) sweep -= 2 * kPi;
     sweep += (left ? 2 : -2) * kPi * (turns - 1);

@@ -22,14 +22,17 @@ struct SvgUnit {
   std::string_view name;
   double pixels;
 };
-constexpr std::array<SvgUnit, 8> kSvgUnits{{{"", 1},
-                                            {"px", 1},
-                                            {"pt", 96.0 / 72},
-                                            {"pc", 16},
-                                            {"mm", 96 / 25.4},
-                                            {"cm", 96 / 2.54},
-                                            {"in", 96},
-                                            {"q", 96 / 101.6}}};
+constexpr std::array<SvgUnit, 11> kSvgUnits{{{"", 1},
+                                             {"px", 1},
+                                             {"pt", 96.0 / 72},
+                                             {"pc", 16},
+                                             {"mm", 96 / 25.4},
+                                             {"cm", 96 / 2.54},
+                                             {"in", 96},
+                                             {"q", 96 / 101.6},
+                                             {"em", 16},
+                                             {"rem", 16},
+                                             {"ex", 8}}};
 
 // Elements that draw nothing or only describe the drawing.
 constexpr std::array<std::string_view, 22> kSilentElements{
@@ -38,7 +41,9 @@ constexpr std::array<std::string_view, 22> kSilentElements{
      "filter",         "view",           "cursor",  "solidColor", "stop",     "meshgradient",
      "color-profile",  "font",           "animate", "set"}};
 
-std::string_view local_name(std::string_view name) {
+// Returns a name without the prefix of SVG: that of the root, or the usual one.
+std::string_view local_name(std::string_view name, std::string_view prefix) {
+  if (!prefix.empty() && name.starts_with(prefix)) return name.substr(prefix.size());
   return name.starts_with("svg:") ? name.substr(4) : name;
 }
 
@@ -82,10 +87,13 @@ class SvgReader {
       return wrong_at(static_cast<size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
                       std::string("invalid XML: ") + parsed.description());
     const pugi::xml_node root = document_.document_element();
-    if (local_name(root.name()) != "svg")
+    const std::string_view root_name = root.name();
+    prefix_ = root_name.substr(0, root_name.find(':') + 1);
+    if (local_name(root_name, prefix_) != "svg")
       return wrong(root, "", {0, "the file is not an SVG file: its root element is not <svg>"});
     if (const Status s = collect_ids(); !s) return s.error();
     Frame frame;
+    inherit(root, frame);
     if (const Status s = read_page(root, frame); !s) return s.error();
     if (const Status s = children(root, frame, 0); !s) return s.error();
     if (!builder_.fault().empty()) return bad_input(file_ + ": " + builder_.fault());
@@ -169,7 +177,7 @@ class SvgReader {
       value = *number * row.pixels;
       return Done{};
     }
-    return wrong(node, name, {at, "the unit must be px, pt, pc, mm, cm, in, Q or %"});
+    return wrong(node, name, {at, "the unit must be px, pt, pc, mm, cm, in, Q, em, ex or %"});
   }
 
   Status lengths(const pugi::xml_node& node, const Frame& frame, const char* x, const char* y,
@@ -225,7 +233,8 @@ class SvgReader {
     // A width alone scales the height along.
     const Vec2 usual = size;
     Vec2 given{-1, -1};
-    if (const Status s = lengths(root, {{}, usual, false}, "width", "height", given); !s) return s;
+    const Vec2 whole = box ? usual : Vec2(0);  // shares of a window of unknown size are no size
+    if (const Status s = lengths(root, {{}, whole, false}, "width", "height", given); !s) return s;
     if (given.x > 0) size.x = given.x;
     if (given.y > 0) size.y = given.y;
     if (given.x > 0 && !(given.y > 0) && box) size.y = given.x * usual.y / usual.x;
@@ -246,21 +255,29 @@ class SvgReader {
     return Done{};
   }
 
+  // Sets the inherited properties that an element gives.
+  static void inherit(const pugi::xml_node& node, Frame& frame) {
+    const auto given = [](std::string_view value) { return !value.empty() && value != "inherit"; };
+    const std::string_view visibility = property(node, "visibility"), stroke = property(node, "stroke");
+    if (given(visibility)) frame.hidden = visibility != "visible";
+    if (given(stroke)) frame.stroke = stroke;
+  }
+
   Status element(const pugi::xml_node& node, Frame frame, int depth) {
     if (depth > DrawingLimits::kMaxDepth) return wrong(node, "", {0, "elements are nested too deeply"});
     if (!builder_.count_element()) return bad_input(file_ + ": " + builder_.fault());
-    const std::string_view name = local_name(node.name());
+    const std::string_view name = local_name(node.name(), prefix_);
     if (std::ranges::find(kSilentElements, name) != kSilentElements.end() ||
-        name.find(':') != std::string_view::npos)
+        name.find(':') != std::string_view::npos) {
+      if (name == "style" && *node.child_value() != 0) builder_.leave_out("style sheet");
       return Done{};
+    }
     if (property(node, "display") == "none") return Done{};
-    if (const auto visibility = property(node, "visibility"); !visibility.empty())
-      frame.hidden = visibility != "visible";
+    inherit(node, frame);
     if (const pugi::xml_attribute transform = node.attribute("transform")) {
       if (const auto fault = parse_svg_transform(transform.value(), frame.map))
         return wrong(node, "transform", *fault);
     }
-    if (const auto stroke = property(node, "stroke"); !stroke.empty()) frame.stroke = stroke;
     for (const char* const effect : {"clip-path", "mask", "stroke-dasharray"}) {
       const std::string_view value = property(node, effect);
       if (!value.empty() && value != "none") builder_.leave_out(effect);
@@ -292,7 +309,10 @@ class SvgReader {
       builder_.leave_out("use of an element that is not in the file");
       return Done{};
     }
-    if (local_name(found->second.name()) == "symbol") return inner_svg(found->second, node, frame, depth);
+    if (local_name(found->second.name(), prefix_) == "symbol") {
+      inherit(found->second, frame);
+      return inner_svg(found->second, node, frame, depth);
+    }
     Vec2 at{0};
     if (const Status s = lengths(node, frame, "x", "y", at); !s) return s;
     frame.map = frame.map * PlaneMap::translation(at);
@@ -393,6 +413,7 @@ class SvgReader {
   DrawingBuilder builder_;
   pugi::xml_document document_;
   std::map<std::string_view, pugi::xml_node> ids_;
+  std::string_view prefix_;  // of the names of SVG, with its colon
   Vec2 page_middle_{0};
   bool has_page_ = false;
 };

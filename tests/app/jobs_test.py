@@ -105,6 +105,33 @@ class Jobs(unittest.TestCase):
         # An arc from (40, 40) to (40, 60) about (40, 50), clockwise: on the left, into the rectangle.
         self.assertAlmostEqual(self.areas(report)[0], .03 * .05 - math.pi * .01**2 / 2 - RADIUS * way / 1000, delta=1e-6)
 
+    def strokes(self, name):
+        with open(self.path(name), encoding='utf-8') as file:
+            return json.load(file)['strokes']
+
+    def test_a_program_keeps_its_powers_and_speeds_where_it_is_rewritten(self):
+        nc = self.write('a.nc', 'G21 G90\nM4\nG0 X0 Y0\nG1 X40 S200 F3000\nG1 Y40\nG1 X0\nG1 Y0\n'
+                                'G0 X10 Y10\nG1 X30 S1000 F600\nG1 Y30\nG1 X10\nG1 Y10\nM5\n')
+        for options in ([], ['--tabs', '2,0.001', '--radius', '0.0001']):
+            self.kerf('path', nc, '--out', self.path('b.nc'), *options)
+            self.kerf('path', self.path('b.nc'), '--out', self.path('c.json'), '--power-at-s1000', 1000)
+            seen = set()
+            for stroke in self.strokes('c.json'):
+                keys = stroke['keys']
+                way = sum(math.dist(a['origin'], b['origin']) for a, b in zip(keys, keys[1:]))
+                seen.add((round(stroke['laser']['power']), round(way / (keys[-1]['t'] - keys[0]['t']), 6)))
+            self.assertEqual({(200, .05), (1000, .01)}, seen)
+
+    def test_layers_keep_their_order_and_the_radius_is_that_of_the_compensation(self):
+        square = 'M{0} {0}h{1}v{1}h-{1}z'
+        svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="' +
+                         square.format(20, 60) + '"/><path stroke="blue" d="' + square.format(40, 20) + '"/></svg>')
+        layers = self.write('layers.json', json.dumps({'layers': {'red': {'radius': .0005, 'power': 1, 'order': 1},
+                                                                  'blue': {'power': 2, 'order': 2}}}))
+        self.kerf('path', svg, '--out', self.path('a.json'), '--compensate', 'right', '--radius', RADIUS, '--layers', layers)
+        self.assertEqual([(1, RADIUS), (2, RADIUS)],
+                         [(stroke['laser']['power'], stroke['laser']['radius']) for stroke in self.strokes('a.json')])
+
     def test_conversions_restore_the_path(self):
         svg = self.write('a.svg', SVG)
         strokes = []
@@ -190,7 +217,7 @@ class Jobs(unittest.TestCase):
             self.kerf('path', self.path('a.nc'), '--out', self.path('b.json'))
         wrong = self.write('post.json', '{"on": "M3"}')
         self.assertIn('post.json: /on', self.kerf('path', svg, '--out', self.path('b.nc'), '--post', wrong, status=2))
-        self.assertIn('--post: requires a program', self.kerf('path', svg, '--out', self.path('b.svg'), '--post', wrong, status=2))
+        self.assertIn('--post: requires an --out that ends in .nc', self.kerf('path', svg, '--out', self.path('b.svg'), '--post', wrong, status=2))
 
     def test_a_drawing_seen_from_an_eye_is_cut_as_large_as_it_looks_on_the_sheet(self):
         svg = self.write('a.svg', '<svg width="20mm" height="20mm" viewBox="0 0 20 20"><path d="M5 5h10v10h-10z"/></svg>')

@@ -186,6 +186,46 @@ TEST(SvgDrawing, uses_repeat_elements_and_elements_left_out_are_counted) {
             "left out: 1 clip-path, 1 image, 2 text, 1 use of an element that is not in the file");
 }
 
+TEST(SvgDrawing, a_line_that_returns_to_its_start_is_closed) {
+  const Drawing drawing = svg_of(
+      "<polyline points='0,0 10,0 10,10 0,10 0,0'/><path d='M10 5 A5 5 0 0 1 0 5 A5 5 0 0 1 10 5'/>"
+      "<polyline points='0,0 10,0 0,0'/>");
+  ASSERT_EQ(drawing.lines.size(), 3u);
+  EXPECT_TRUE(drawing.lines[0].closed);
+  EXPECT_EQ(drawing.lines[0].points.size(), 4u);
+  EXPECT_TRUE(drawing.lines[1].closed);
+  EXPECT_FALSE(drawing.lines[2].closed);
+}
+
+TEST(SvgDrawing, the_root_and_symbols_pass_their_properties_on) {
+  const auto layers = [](const std::string& text) {
+    const auto drawing = read_svg(text, "test.svg", kFlatness);
+    EXPECT_TRUE(drawing.ok());
+    std::string all;
+    for (const DrawnLine& line : drawing->lines) all += line.layer + ' ';
+    return all;
+  };
+  EXPECT_EQ(layers("<svg stroke='red'><path d='M0 0h9'/><path d='M0 0h9' stroke='inherit'/></svg>"),
+            "red red ");
+  EXPECT_EQ(layers("<svg><symbol id='s' stroke='blue'><path d='M0 0h9'/></symbol><use href='#s'/></svg>"),
+            "blue ");
+  EXPECT_EQ(layers("<svg visibility='hidden'><path d='M0 0h9'/></svg>"), "");
+  EXPECT_EQ(layers("<a:svg xmlns:a='http://www.w3.org/2000/svg'><a:path d='M0 0h9' stroke='red'/></a:svg>"),
+            "red ");
+}
+
+TEST(SvgDrawing, a_style_sheet_is_reported) {
+  EXPECT_EQ(left_out_text(svg_of("<style>.a{display:none}</style><path class='a' d='M0 0h9'/>")),
+            "left out: 1 style sheet");
+}
+
+TEST(SvgDrawing, shares_of_an_unknown_window_are_no_page) {
+  const auto drawing =
+      read_svg("<svg width='100%' height='100%'><line x1='96' x2='288'/></svg>", "test.svg", kFlatness);
+  ASSERT_TRUE(drawing.ok());
+  EXPECT_LT(glm::length(drawing->middle - Vec2(2 * 0.0254, 0)), 1e-15);
+}
+
 TEST(SvgDrawing, errors_name_line_and_column) {
   EXPECT_EQ(svg_error("<svg>\n  <path\n d='M0 0 L1 x'/>\n</svg>"),
             "test.svg, line 3, column 13: d: expected a number");
@@ -193,7 +233,7 @@ TEST(SvgDrawing, errors_name_line_and_column) {
             "test.svg, line 1, column 15: d: a path must begin with M");
   EXPECT_EQ(svg_error("<svg>\n<g transform='turn(3)'/></svg>"),
             "test.svg, line 2, column 15: transform: this is no transform with as many numbers");
-  EXPECT_NE(svg_error("<svg><rect width='1em' height='1'/></svg>")
+  EXPECT_NE(svg_error("<svg><rect width='1vw' height='1'/></svg>")
                 .find("line 1, column 20: width: the unit must be"),
             std::string::npos);
   EXPECT_NE(svg_error("<svg>\n<g>\n</svg>").find("test.svg, line 3"), std::string::npos);
@@ -245,6 +285,7 @@ TEST(DxfDrawing, units_are_those_of_the_header_else_millimetres) {
   };
   EXPECT_NEAR(dxf_of(line, header(1)).lines[0].points[1].x, 0.0508, 1e-15);
   EXPECT_NEAR(dxf_of(line, header(6)).lines[0].points[1].x, 2, 1e-15);
+  EXPECT_NEAR(dxf_of(line, header(21)).lines[0].points[1].x, 2 * 1200.0 / 3937, 1e-15);
 }
 
 TEST(DxfDrawing, blocks_are_scaled_turned_and_repeated) {
@@ -258,6 +299,17 @@ TEST(DxfDrawing, blocks_are_scaled_turned_and_repeated) {
     EXPECT_NEAR(std::abs(area_of_line(line)), kPi * 36e-6, 2 * kPi * 0.006 * kFlatness);
   // The second column lies 20 mm along the turned x axis.
   EXPECT_NEAR(drawing.lines[1].points[0].y - drawing.lines[0].points[0].y, 0.02, 1e-12);
+}
+
+TEST(DxfDrawing, entities_of_a_block_on_layer_0_have_the_layer_of_the_insert) {
+  const std::string file =
+      "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\n0\n62\n-"
+      "7\n70\n0\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n"
+      "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDBLK\n0\nENDSEC\n";
+  const Drawing drawing = dxf_of("0\nINSERT\n2\nB\n8\nCUT\n", file);
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_EQ(drawing.lines[0].layer, "CUT");
+  EXPECT_EQ(dxf_of("0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n", file).lines.size(), 0u);
 }
 
 TEST(DxfDrawing, rational_splines_are_exact_circles) {

@@ -90,6 +90,25 @@ TEST(Gcode, units_offsets_and_distances_have_their_meaning) {
   EXPECT_NEAR(program.strokes[1].points[1].x, 0.0508, 1e-15);
 }
 
+TEST(Gcode, g28_with_words_moves_these_axes_alone) {
+  const Program program = program_of_text("G0 X50 Y20 Z5\nG28 G91 Z0\nG90 M3 G1 Y40 F600 S1000\n");
+  ASSERT_EQ(program.strokes.size(), 1u);
+  EXPECT_LT(glm::length(program.strokes[0].points.front() - Vec3(0.05, 0.02, 0)), 1e-15);
+}
+
+TEST(Gcode, a_full_circle_survives_rounding_of_its_ends) {
+  for (const char* const turn : {"G2 X0.3 Y0 I0 J5", "G3 X0.3 Y0 I0 J-5"}) {
+    const Program program =
+        program_of_text(std::string("M3 S1 F600 G91 G0 X0.1\nX0.1\nX0.1\nG90\n") + turn + "\n");
+    ASSERT_EQ(program.strokes.size(), 1u);
+    EXPECT_NEAR(way_of_stroke(program.strokes[0]), 2 * kPi * 0.005, 1e-5);
+  }
+}
+
+TEST(Gcode, the_feed_is_kept_where_its_mode_is_repeated) {
+  EXPECT_EQ(program_of_text("M3 S1 G94 F600\nG1 X1\nG90 G94\nX2\n").strokes.size(), 1u);
+}
+
 TEST(Gcode, times_follow_feeds_inverse_times_and_dwells) {
   const Program program = program_of_text("M3 S1\nG93 G1 X10 F2\nX20 F4\nG94 F600 X30\nG4 P1.5\nX40\nM30\n");
   ASSERT_EQ(program.strokes.size(), 1u);

@@ -64,7 +64,7 @@ class CutRun {
         options_.single_file, options_.outlines.value_or("")};
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
-    options_.job.add_strokes(bounds_, strokes_, job_);
+    if (const auto s = options_.job.add_strokes(bounds_, strokes_, job_); !s) return s;
     if (const auto s = options_.setup.fit_strokes(document_.world(), {unit_, false}, strokes_, job_); !s)
       return s;
     options_.setup.check_nozzle(
@@ -167,6 +167,10 @@ class CutRun {
       if (const Status free = inputs.check("--provenance", options_.provenance); !free) return free;
     }
     if (options_.journal.empty()) return Done{};
+    std::error_code error;
+    if (std::filesystem::weakly_canonical(options_.journal, error) ==
+        std::filesystem::weakly_canonical(options_.provenance, error))
+      return bad_input("--journal: " + options_.journal + " is the file of --provenance; use another name");
     if (folder.may_write(options_.journal))
       return bad_input("--journal: " + options_.journal +
                        " is a name of a piece or of the report; use another name");

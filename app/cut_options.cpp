@@ -289,6 +289,7 @@ Status check_cut_options(CutOptions o) {
   if (o.target_edge.has_value() + o.tolerance.has_value() + o.depth.has_value() > 1) {
     return bad_input("--target-edge, --tolerance and --depth: give only one of them");
   }
+  if (o.assist == "oxygen" && o.model != "thermal") return bad_input("--assist: requires --model thermal");
   if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
   if (const Status s = check_gltf_options(o); !s) return s;
   return check_solid(o);

@@ -80,14 +80,15 @@ Status JobInput::read(bool has_path, std::optional<double> radius) {
   if (!gcode.empty()) kind = JobFile::Kind::kProgram;
   if (kind != JobFile::Kind::kSvg && kind != JobFile::Kind::kDxf && gcode.empty())
     return bad_input("--drawing: " + drawing + " must end in .svg or .dxf");
-  const double tolerance = radius ? std::max(*radius / 50, 1e-9) : kCurveTolerance;
+  if (!layers.empty()) {
+    if (const Status s = unpack(read_layers(layers), layers_); !s) return s;
+  }
+  const double tolerance = curve_tolerance(radius, layers_);
   RotaryAxes rotary;
   if (!axes.empty()) {
     if (const Status s = unpack(read_rotary_axes(axes), rotary); !s) return s;
   }
   if (const Status s = unpack(read_job(file(), *kind, tolerance / plane_.scale, rotary), job_); !s) return s;
-  if (layers.empty()) return Done{};
-  if (const Status s = unpack(read_layers(layers), layers_); !s) return s;
   arrange_layers(layers_, job_.drawing.lines, job_.notes);
   return Done{};
 }
@@ -126,17 +127,29 @@ JobPlane JobInput::placed(const Bounds& bounds) const {
   return plane;
 }
 
-void JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const {
-  if (file().empty()) return;
+double curve_tolerance(std::optional<double> radius, const LayerTable& layers) {
+  double smallest = radius.value_or(50 * kCurveTolerance);
+  if (!radius) {
+    for (const auto& [name, layer] : layers.layers)
+      smallest = std::min(smallest, layer.radius.value_or(smallest));
+  }
+  return std::max(smallest / 50, 1e-9);
+}
+
+Status JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const {
+  if (file().empty()) return Done{};
   const JobPlane plane = placed(bounds);
+  if (eye && plane.at == eye_)
+    return bad_input("--eye: is the middle of the drawing; give another point, or --at");
   for (const std::string& note : job_.notes) job.notes.push_back(file() + ": " + note);
   if (job_.is_drawing()) {
     strokes = drawing_strokes(job_.drawing.lines, job_.drawing.middle, plane);
     set_lasers(layers_, job_.drawing.lines, strokes);
-    return;
+    return Done{};
   }
   strokes = program_strokes(job_.program, plane, power_at_s1000);
   job.program_s = job_.program.duration;
+  return Done{};
 }
 
 std::optional<size_t> JobInput::line_of(size_t stroke, size_t key) const {

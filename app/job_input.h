@@ -28,8 +28,8 @@ struct JobInput {
   // The error names the first wrong option, or the place in the file. `has_path`: a path file was given.
   Status read(bool has_path, std::optional<double> radius);
   // Replaces the strokes by those of the file that was read, placed for meshes with these bounds, and adds
-  // notes and duration to the job. Does nothing if there is no file.
-  void add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const;
+  // notes and duration to the job. Does nothing if there is no file. Fails if the eye is in the drawing.
+  Status add_strokes(const Bounds& bounds, std::vector<StrokePath>& strokes, CutJob& job) const;
   // Returns the line of the program whose move leads to a key of a stroke; nullopt if there is none.
   std::optional<size_t> line_of(size_t stroke, size_t key) const;
 
@@ -49,5 +49,8 @@ inline constexpr const char* kAxesHelp =
 
 // Distance from curves within which they are flattened without a radius [m].
 inline constexpr double kCurveTolerance = 1e-5;
+// Returns the distance from curves within which they are flattened [m]: a fiftieth of the radius of the beam
+// or, without it, of the smallest radius of a layer; at most kCurveTolerance without a radius.
+double curve_tolerance(std::optional<double> radius, const LayerTable& layers);
 
 }  // namespace kerf

@@ -105,10 +105,12 @@ Result<std::vector<KnifePlane>> bed_planes(const Bounds& box, const Vec3& bed) {
 }
 
 void KnifeOptions::add_to(CLI::App& command) {
-  command.add_option(
-      "--plane", plane_texts_,
-      "NX,NY,NZ,D: cut along the plane N.x = D (metres) after the strokes, by a knife that removes "
-      "nothing; repeat for more planes");
+  command
+      .add_option(
+          "--plane", plane_texts_,
+          "NX,NY,NZ,D: cut along the plane N.x = D (metres) after the strokes, by a knife that removes "
+          "nothing; repeat for more planes")
+      ->allow_extra_args(false);
   command.add_option("--fit-bed", bed_text_,
                      "W,D,H: then cut bodies along planes into pieces of at most this size along x, y and z, "
                      "in metres");

@@ -51,7 +51,6 @@ class PathRun {
 
   Status run() {
     if (const Status s = check(); !s) return s;
-    const double fifty = options_.radius.value_or(50 * kCurveTolerance) / 50;
     if (!options_.post.empty()) {
       if (const Status s = unpack(read_post_processor(options_.post), post_); !s) return s;
     }
@@ -62,7 +61,8 @@ class PathRun {
     if (!options_.axes.empty()) {
       if (const Status s = unpack(read_rotary_axes(options_.axes), rotary); !s) return s;
     }
-    auto job = read_job(options_.file, *job_kind(options_.file), options_.tolerance.value_or(fifty), rotary);
+    auto job = read_job(options_.file, *job_kind(options_.file),
+                        options_.tolerance.value_or(curve_tolerance(options_.radius, layers_)), rotary);
     if (!job) return job.error();
     arrange_layers(layers_, job->drawing.lines, job->notes);
     for (const std::string& note : job->notes) warn(options_.file + ": " + note);

@@ -215,6 +215,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     entry.placement = body.placement;
     entry.sheet = body.sheet;
     entry.solid = body.solid ? Solidity::kSolid : Solidity::kSheet;
+    entry.cut_material = body.cut_material;
     description.bodies.push_back(std::move(entry));
   }
   const std::filesystem::path file = folder / "scene.json";

@@ -226,6 +226,7 @@ class Jobs(unittest.TestCase):
         drop, = self.areas(report)
         self.assertAlmostEqual(drop, (.02 - 2 * RADIUS)**2, delta=1e-6)
         for wrong, why in ((['--eye', '0,1,0'], 'requires --drawing'),
+                           (['--eye', '0,0,0', '--drawing', svg], '--eye: is the middle of the drawing'),
                            (['--eye', '0,1,0', '--onto', '-y', '--drawing', svg], 'cannot be combined')):
             self.assertIn(why, self.kerf('cut', self.sheet(1), *wrong, '--out', self.path('o'), status=2))
 

@@ -57,6 +57,16 @@ class Knife(unittest.TestCase):
                 side = [v[axis] - at for v in piece]
                 self.assertTrue(min(side) >= -1e-15 or max(side) <= 1e-15)
 
+    def test_the_mesh_may_follow_a_plane(self):
+        run = subprocess.run([KERF, "cut", "--plane", "1,0,0,0.2", "box.obj", "--out", "out"], cwd=self.folder,
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_journal_and_provenance_are_two_files(self):
+        run = self.kerf("--plane", "1,0,0,0.2", "--journal", "a.kerf", "--provenance", "./a.kerf")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--journal: a.kerf is the file of --provenance", run.stderr)
+
     def test_pieces_fit_the_bed(self):
         report, vertices = self.cut("--fit-bed", "0.2,0.25,0.15", "--solid")
         self.assert_closed(report, 6)  # three along x, two along z

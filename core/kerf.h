@@ -654,11 +654,14 @@ class World {
 
   template <typename T, typename F>
   static std::vector<T> list_of(F function) {
-    size_t count = 0;
-    check(function(nullptr, 0, &count));
-    std::vector<T> list(count);
-    check(function(list.data(), count, &count));
-    return list;
+    // Another thread may change the number between two calls.
+    std::vector<T> list;
+    for (size_t count = 0;;) {
+      check(function(list.data(), list.size(), &count));
+      const bool is_whole = count <= list.size();
+      list.resize(count);
+      if (is_whole) return list;
+    }
   }
 
   template <typename F>

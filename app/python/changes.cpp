@@ -96,7 +96,8 @@ void add_changes(py::module_& m, WorldClass& world) {
                                   : "<kerf.Changes of " + std::to_string(changes.bodies.size()) + " bodies>";
       });
   world.def(
-      "take_changes", [](World& of) { return ChangesOfWorld(unlocked([&] { return of.take_changes(); })); },
+      "take_changes",
+      [](World& of) { return ChangesOfWorld(of.take_changes()); },  // the next call invalidates the arrays
       "Returns the Changes since the last call for this world. The first call returns `everything`, as does "
       "one after a failed call, or after more changes than a log holds. To mirror the world: remove "
       "destroyed "

@@ -65,17 +65,6 @@ Result<AddedBody> added_body(const kerf_mesh& mesh, const kerf_body_desc* given)
   return body;
 }
 
-void grow(std::optional<World::Bounds>& bounds, const Body& body) {
-  Bounds all = Bounds::none();
-  for (int corner = 0; corner < 8; ++corner) {
-    const Bounds& own = body.bounds();
-    all.add(body.placement.to_world({corner & 1 ? own.max.x : own.min.x, corner & 2 ? own.max.y : own.min.y,
-                                     corner & 4 ? own.max.z : own.min.z}));
-  }
-  if (!bounds) bounds = all;
-  bounds->add(all);
-}
-
 Result<kerf_body> add_body(kerf_world& world, const kerf_mesh& mesh, const kerf_body_desc* desc,
                            const Progress& progress) {
   auto added = added_body(mesh, desc);
@@ -88,10 +77,8 @@ Result<kerf_body> add_body(kerf_world& world, const kerf_mesh& mesh, const kerf_
   const BodyId id = delta->created.front();
   added->slot = id.slot;
   world.added[world.document.journal().size() - 1] = std::move(*added);
-  const Body& body = world.document.world().body(id);
-  world.job.record_loaded(body.loaded);
-  world.keep_job();
-  grow(world.bounds, body);
+  world.record_loaded(world.document.world().body(id));
+  world.keep();
   return to_api(id);
 }
 
@@ -206,7 +193,7 @@ Result<Delta> apply_edit(kerf_world& world, const Command& command, const Progre
   Outcome outcome = world.document.apply(command, &progress);
   world.changes.record(world.document.world(), outcome.delta);
   if (!outcome.ok()) return outcome.error();
-  world.keep_job();
+  world.keep();
   return std::move(outcome.delta);
 }
 
@@ -245,7 +232,10 @@ kerf_result kerf_piece_get_mesh(const kerf_world* world, kerf_body body, uint32_
                             const kerf::PieceId id = kerf::piece_id(body, piece);
                             if (!kerf::has_faces(document.world(), id)) return kerf::no_such_piece(id);
                             const kerf::Body& own = document.world().body(id.body);
-                            *out = kerf::mesh_of_piece(own, own.faces_of(piece)).release();
+                            const std::vector<kerf::FaceId> faces = own.faces_of(piece);
+                            // While a stroke is cut in steps, faces get the label of a new piece one by one.
+                            if (faces.empty()) return kerf::no_such_piece(id);
+                            *out = kerf::mesh_of_piece(own, faces).release();
                             return kerf::Done{};
                           });
 }

@@ -2,6 +2,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <exception>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -45,6 +47,8 @@ Status add_key(const kerf_keyframe& key, const std::string& where, StrokePath& p
   const Pose pose{{key.origin[0], key.origin[1], key.origin[2]}, beam_direction(direction)};
   if (!path.keys.empty() && key.time < path.times.back())
     return bad_input(where + ": the time must not be less than that of the previous key");
+  if (!path.keys.empty() && !std::isfinite(key.time - path.times.front()))
+    return bad_input(where + ": the time is too far from that of the first key");
   if (!path.keys.empty() && are_opposite(pose.direction, path.keys.back().direction))
     return bad_input(where +
                      ": the direction is opposite to that of the previous key; add a key between them");
@@ -236,12 +240,12 @@ Status cut_one(kerf_world& world, std::span<const Command> stroke, const Progres
   };
   const Status cut = run_queue(document, how);
   if (cut) world.job.end_stroke();
-  if (cut) world.keep_job();
+  if (cut) world.keep();
   return cut;
 }
 
-// Sets the material of all pieces.
-Status set_material(kerf_world& world, const Substance& substance, const Progress& progress) {
+// Sets the material of all pieces. Returns the changes.
+Result<Delta> set_material(kerf_world& world, const Substance& substance, const Progress& progress) {
   std::vector<SetSheetProperties> edits;
   for (const BodyId id : world.document.world().ids()) {
     const Body& body = world.document.world().body(id);
@@ -258,15 +262,25 @@ Status set_material(kerf_world& world, const Substance& substance, const Progres
     if (!delta) return delta.error();
     all.append(std::move(*delta));
   }
-  return Done{};
+  return all;
 }
 
-Status cut_each(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
+// Adds the bodies that pieces of the bodies of a stroke became.
+void follow(const Delta& delta, std::vector<BodyId>& bodies) {
+  for (const Detached& detached : delta.detached) {
+    if (std::ranges::find(bodies, detached.from) != bodies.end()) bodies.push_back(detached.to);
+  }
+}
+
+Status cut_each(kerf_world& world, std::span<StrokeCommands> strokes, const char* material,
                 const Progress& progress) {
   if (material != nullptr) {
     const auto substance = substance_named(material);
     if (!substance) return substance.error();
-    if (const Status set = set_material(world, *substance, progress); !set) return set;
+    const auto set = set_material(world, *substance, progress);
+    if (!set) return set.error();
+    for (StrokeCommands& stroke : strokes)
+      follow(*set, std::get<BeginStroke>(stroke.commands.front()).settings.bodies);
   }
   if (!strokes.empty()) begin_job(world, strokes.front().commands.front());
   const double share = 1 / static_cast<double>(std::max<size_t>(strokes.size(), 1));
@@ -279,20 +293,13 @@ Status cut_each(kerf_world& world, std::span<const StrokeCommands> strokes, cons
 }
 
 // Executes all strokes or none, and keeps before-images for as long as they may be needed.
-Status cut_all(kerf_world& world, std::span<const StrokeCommands> strokes, const char* material,
+Status cut_all(kerf_world& world, std::span<StrokeCommands> strokes, const char* material,
                const Progress& progress) {
   Document& document = world.document;
-  const size_t position = document.history().position(), window = document.history().window();
   document.set_window(std::numeric_limits<size_t>::max());
   document.set_face_budget(usual_face_budget(machine_memory()));
-  Status done = cut_each(world, strokes, material, progress);
-  if (!done && document.history().position() != position) {
-    world.changes.lose();
-    const Outcome back = document.travel(position);
-    if (!back.ok()) done = back.error();
-  }
-  document.set_window(window);
-  return done;
+  if (document.waiting() > 0) world.changes.lose();  // an opened journal may end within a stroke
+  return document.all_or_nothing([&] { return cut_each(world, strokes, material, progress); });
 }
 
 // Executes all strokes or none. Returns the results, without the time.
@@ -300,27 +307,46 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
                             const kerf_cut_settings* given, const Progress& progress) {
   const auto settings = read_settings(given);
   if (!settings) return settings.error();
-  const auto commands = stroke_commands_of(world, strokes, count, *settings);
+  auto commands = stroke_commands_of(world, strokes, count, *settings);
   if (!commands) return commands.error();
   const CutJob before = world.job;
   const ThermalTotals thermal(world);
   const nlohmann::ordered_json settings_before = world.settings;
-  const Status done = cut_all(world, *commands, settings->material, progress);
-  if (done) {
+  const size_t window = world.document.history().window();
+  const size_t position = world.document.history().position();
+  const auto undone = world.kept.begin() + static_cast<std::ptrdiff_t>(position) + 1;
+  std::vector kept(std::make_move_iterator(undone), std::make_move_iterator(world.kept.end()));
+  world.kept.erase(undone, world.kept.end());
+  Status done = Done{};
+  std::exception_ptr thrown;
+  try {
+    done = cut_all(world, *commands, settings->material, progress);
+  } catch (...) {
+    thrown = std::current_exception();
+  }
+  world.document.set_window(window);
+  if (done && !thrown) {
     kerf_cut_result result = KERF_CUT_RESULT_INIT;
     result.removed_faces = world.job.removed_faces - before.removed_faces;
     result.removed_area = world.job.removed_area - before.removed_area;
     thermal.set(world, result);
     return result;
   }
+  world.changes.lose();
   world.job = before;
   world.settings = settings_before;
+  world.kept.resize(position + 1);
+  std::ranges::move(kept, std::back_inserter(world.kept));
+  if (thrown) std::rethrow_exception(thrown);
   return done.error();
 }
 
 Status cut_plane(kerf_world& world, const KnifePlane& plane, const Progress& progress) {
   if (!is_finite(plane.normal) || plane.normal == Vec3(0) || !std::isfinite(plane.distance))
     return bad_input("normal and distance: must be finite, and the normal not zero");
+  const Vec3 size = glm::abs(plane.normal);
+  if (!std::isfinite(plane.distance / std::max({size.x, size.y, size.z})))
+    return bad_input("normal and distance: the plane is too far from the origin");
   const auto cut = apply_edit(world, CutPlane{plane}, progress);
   return cut ? Status(Done{}) : cut.error();
 }

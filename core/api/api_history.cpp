@@ -1,19 +1,33 @@
 #include "core/api/api_internal.h"
 #include "core/document/document.h"
 
-void kerf_world::keep_job() {
-  const size_t position = document.history().position();
-  jobs.resize(position + 1);
-  jobs[position] = job;
-  jobs[position]->step_s.clear();
+void kerf_world::record_loaded(const kerf::Body& body) {
+  job.record_loaded(body.loaded);
+  kerf::Bounds all = kerf::Bounds::none();
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at = [&](int k) { return corner >> k & 1 ? body.loaded.min[k] : body.loaded.max[k]; };
+    all.add(body.placement.to_world({at(0), at(1), at(2)}));
+  }
+  if (!bounds) bounds = all;
+  bounds->add(all);
 }
 
-void kerf_world::restore_job() {
+void kerf_world::keep() {
+  kept.resize(document.history().size() + 1);
+  std::optional<Kept>& own = kept[document.history().position()];
+  own = Kept{job, settings, bounds, time_left};
+  own->job.step_s.clear();
+}
+
+void kerf_world::restore() {
   const size_t position = document.history().position();
-  if (position >= jobs.size() || !jobs[position]) return;
+  if (position >= kept.size() || !kept[position]) return;
   std::vector<double> durations = std::move(job.step_s);
-  job = *jobs[position];
+  job = kept[position]->job;
   job.step_s = std::move(durations);
+  settings = kept[position]->settings;
+  bounds = kept[position]->bounds;
+  time_left = kept[position]->time_left;
 }
 
 namespace kerf {
@@ -33,7 +47,7 @@ kerf_result travel(kerf_world* world, const Command& command, int* done) {
     };
     const Status ran = outcome.ok() ? run_queue(document, run) : Status(outcome.error());
     world->changes.record(document.world(), outcome.delta);
-    world->restore_job();
+    world->restore();
     if (!ran) return ran;
     if (done != nullptr) *done = document.history().position() != before;
     return Done{};

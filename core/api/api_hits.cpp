@@ -230,7 +230,7 @@ Status find_all(const World& world, const Rays& rays, const Progress& progress, 
 
 // A box in the world.
 struct QueryBox {
-  Vec3 centre, half;
+  Vec3 low, high, centre, half;
 
   // Returns true if the box meets or touches a triangle, by the 13 axes that can separate them (T.
   // Akenine-Moeller: Fast 3D triangle-box overlap testing, 2001).
@@ -238,9 +238,15 @@ struct QueryBox {
 };
 
 bool QueryBox::meets(const Triangle& world) const {
+  for (int k = 0; k < 3; ++k) {
+    const auto [least, most] = std::minmax({world[0][k], world[1][k], world[2][k]});
+    if (least > high[k] || most < low[k]) return false;
+  }
+  constexpr double kRounding = 1e-15;  // of the differences, relative to the coordinates
+  const Vec3 slack = kRounding * (glm::abs(centre) + half);
   const Triangle t{world[0] - centre, world[1] - centre, world[2] - centre};
   const auto separates = [&](const Vec3& axis) {
-    const double reach = glm::dot(half, glm::abs(axis));
+    const double reach = glm::dot(half + slack, glm::abs(axis));
     const auto [low, high] = std::minmax({glm::dot(axis, t[0]), glm::dot(axis, t[1]), glm::dot(axis, t[2])});
     return low > reach || high < -reach;
   };
@@ -248,7 +254,6 @@ bool QueryBox::meets(const Triangle& world) const {
   for (int k = 0; k < 3; ++k) {
     Vec3 axis(0);
     axis[k] = 1;
-    if (separates(axis)) return false;
     for (size_t i = 0; i < 3; ++i) {
       if (separates(glm::cross(axis, t[(i + 1) % 3] - t[i]))) return false;
     }
@@ -264,7 +269,7 @@ Result<QueryBox> query_box(const double min[3], const double max[3]) {
       return bad_input("min and max: must be corners in metres, -1e150 <= min <= max <= 1e150");
   }
   const Vec3 low = vector(min, 0), high = vector(max, 0);
-  return QueryBox{0.5 * (low + high), 0.5 * (high - low)};
+  return QueryBox{low, high, 0.5 * (low + high), 0.5 * (high - low)};
 }
 
 void append_in_box(const World& world, BodyId id, const QueryBox& box, std::vector<Hit>& out) {

@@ -188,19 +188,32 @@ struct RunningStroke {
 struct kerf_world {
   static constexpr size_t kUndoMemory = size_t{256} << 20;
 
-  kerf_world() { document.set_window(kUndoMemory); }
+  kerf_world() {
+    document.set_window(kUndoMemory);
+    keep();
+  }
 
-  // Keeps the job at the present position of the history, for undo and redo.
-  void keep_job();
-  void restore_job();
+  // Adds a new body to the bounds and to the report.
+  void record_loaded(const kerf::Body& body);
+
+  // What follows from the steps of the history besides the document.
+  struct Kept {
+    kerf::CutJob job;  // without durations
+    nlohmann::ordered_json settings;
+    std::optional<kerf::World::Bounds> bounds;
+    double time_left;
+  };
+  // Keeps the values at the present position of the history, for undo and redo.
+  void keep();
+  void restore();
 
   kerf::Document document;
   kerf::SceneDescription scene;  // that was opened; empty for a new world
   kerf::AddedBodies added;
-  double time_left = 0;                           // of a tick, not simulated yet [s]
-  kerf::CutJob job;                               // cuts of the library, for the report
-  nlohmann::ordered_json settings = nullptr;      // of the first cut
-  std::vector<std::optional<kerf::CutJob>> jobs;  // by position of the history, without durations
+  double time_left = 0;                       // of a tick, not simulated yet [s]
+  kerf::CutJob job;                           // cuts of the library, for the report
+  nlohmann::ordered_json settings = nullptr;  // of the first cut
+  std::vector<std::optional<Kept>> kept;      // by position of the history
   // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.
   std::optional<kerf::World::Bounds> bounds;
   std::optional<kerf::RunningStroke> stroke;

@@ -32,7 +32,7 @@ Status simulate(kerf_world& world, double seconds) {
     if (const Status ran = run_queue(document, run); !ran) return ran;
     ticks -= now;
   }
-  world.keep_job();
+  world.keep();
   return Done{};
 }
 

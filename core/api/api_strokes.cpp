@@ -120,7 +120,7 @@ Status step_stroke(kerf_world& world, RunningStroke& stroke, size_t max_faces, d
   stroke.thermal.set(world, progress);
   if (progress.is_finished) {
     world.job.end_stroke();
-    world.keep_job();
+    world.keep();
     leave_stroke(world);
   }
   progress.seconds = seconds_since(begin);

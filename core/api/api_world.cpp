@@ -190,7 +190,8 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   const size_t window = document.history().window();
   document = Document(std::move(file->scene.world));
   document.set_window(window);
-  for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
+  const std::vector<BodyId> first = document.world().ids();
+  for (const BodyId id : first) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   const double diagonal = to.bounds->diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {
@@ -200,7 +201,15 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   QueueRun how;
   how.progress = &replaying;
   how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
-  return Replay(file->journal, document).run(how);
+  if (const Status done = Replay(file->journal, document).run(how); !done) return done;
+  for (const BodyId id : document.world().ids()) {
+    const Body& body = document.world().body(id);
+    const bool is_added = body.loaded_as == id && std::ranges::find(first, id) == first.end();
+    if (is_added) to.record_loaded(body);
+  }
+  to.keep();
+  to.kept.assign(to.kept.size(), to.kept[document.history().position()]);
+  return Done{};
 }
 
 // Converts a piece for the report.

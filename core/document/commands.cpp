@@ -85,7 +85,8 @@ void describe(Fields& f, MovePiece& c) {
 
 Result<Delta> MovePiece::run(World& world, uint32_t generation, const Progress*) const {
   return edit_piece(
-      world, piece, generation, &Delta::moved, [&](const Body& body) { return body.placement != to; },
+      world, piece, generation, &Delta::moved,
+      [&](const Body& body) { return body.placement != to || !body.motion.at_rest(); },
       [&](Body& own) {
         own.placement = to;
         own.motion = {};

@@ -169,21 +169,39 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
   end_stroke();
   Outcome all = finish(nullptr);
   if (!all.ok()) return all;
+  const Status done = all_or_nothing([&]() -> Status {
+    for (const Command& command : commands) {
+      if (all.ok()) all.append(apply(command, progress));
+    }
+    end_stroke();
+    if (all.ok()) all.append(finish(progress));
+    return all.ok() ? Status(Done{}) : all.error();
+  });
+  if (!done) all.fail(done.error());
+  return all;
+}
+
+Status Document::all_or_nothing(const std::function<Status()>& work) {
+  end_stroke();
+  if (const Outcome before = finish(nullptr); !before.ok()) return before.error();
   queue_.close_and_trim();
   journal_.seal();
   const size_t position = history().position(), journal_size = journal_.size();
   UndoStack::Steps undone = queue_.history().take_undone();
-  Outcome own;
-  for (const Command& command : commands) {
-    if (own.ok()) own.append(apply(command, progress));
+  Status done = Done{};
+  std::exception_ptr thrown;
+  try {
+    done = work();
+  } catch (...) {
+    thrown = std::current_exception();
   }
-  end_stroke();
-  if (own.ok()) own.append(finish(progress));
-  const bool done = own.ok();
-  all.append(std::move(own));
-  if (done) return all;
-  if (const Status back = undo_to(position, journal_size, std::move(undone)); !back) all.fail(back.error());
-  return all;
+  if (done && !thrown) return done;
+  const bool is_cutting =
+      waiting() > 0 && history().position() > position && last().kind() == HistoryStep::Kind::kStroke;
+  if (thrown && is_cutting) (void)cancel_stroke();
+  const Status back = undo_to(position, journal_size, std::move(undone));
+  if (thrown) std::rethrow_exception(thrown);
+  return back ? done : back;
 }
 
 // Undone steps are executed again on redo: their images belong to a world that no other step has changed

@@ -89,6 +89,10 @@ class Document {
   // queue, which `progress` cannot stop. On failure, or if `progress` stops the commands, restores the world,
   // the journal and the history with its undone steps. The outcome lists all changes.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
+  // Executes work that applies commands and executes them completely. First executes the queue. If the work
+  // fails or throws, restores the world, the journal and the history with its undone steps; caches of the
+  // world must then be rebuilt completely.
+  Status all_or_nothing(const std::function<Status()>& work);
 
   // The length of the queue (see CommandQueue::waiting).
   size_t waiting() const { return queue_.waiting(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -20,7 +21,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kItems = 1 << 16;  // triangles, edges or vertices per range
+constexpr size_t kItems = 1 << 16;   // triangles, edges or vertices per range
 constexpr double kMaxWidth = 1e150;  // m; squared lengths are finite
 
 class Builder {
@@ -70,6 +71,8 @@ class Builder {
     materials_ = std::move(usable->materials);
     parts_ = std::move(usable->parts);
     sources_ = std::move(usable->sources);
+    constexpr size_t kMax = std::numeric_limits<uint32_t>::max() / 6;  // of half-edges, two per side
+    if (triangles_.size() > kMax) return bad_input("the mesh has more than 715 827 882 faces");
     if (!triangles_.empty()) return Done{};
     return bad_input("no face is usable: every face is degenerate, not finite or invalid");
   }

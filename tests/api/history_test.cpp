@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/kerf.h"
+#include "tests/api/sheets.h"
+
+namespace kerf::test {
+namespace {
+
+// Returns the object of the report that a key begins, such as "removed".
+std::string in_report(const World& world, const std::string& key) {
+  const std::string report = world.report();
+  const size_t at = report.find("\"" + key + "\"");
+  return at == std::string::npos ? "" : report.substr(at, report.find('}', at) - at);
+}
+
+Stroke across(double x) {
+  Stroke stroke = through_the_middle();
+  for (kerf_keyframe& key : stroke.keys) key.origin[0] = x;
+  return stroke;
+}
+
+TEST(History, a_cancelled_cut_keeps_what_was_undone) {
+  World world;
+  world.add(sheet(10));
+  world.cut(across(0.3));
+  const std::string cut = world.hash();
+  EXPECT_TRUE(world.undo());
+  const std::string whole = world.hash();
+  (void)world.take_changes();
+  EXPECT_THROW(world.cut(across(0.7), {}, {[](double) { return false; }, 0}), Cancelled);
+  EXPECT_EQ(world.hash(), whole);
+  EXPECT_TRUE(world.take_changes().everything);
+  EXPECT_TRUE(world.redo());
+  EXPECT_EQ(world.hash(), cut);
+  EXPECT_FALSE(world.redo());
+  EXPECT_GT(world.cut(across(0.7)).removed_faces, 0u);
+}
+
+TEST(History, undo_restores_the_totals_of_the_report) {
+  World world;
+  world.add(sheet(10));
+  const std::string none = in_report(world, "removed");
+  world.cut(across(0.3));
+  const std::string one = in_report(world, "removed");
+  EXPECT_NE(one, none);
+  EXPECT_TRUE(world.undo());
+  EXPECT_EQ(in_report(world, "removed"), none);
+  world.simulate(0);  // appends no step
+  EXPECT_TRUE(world.redo());
+  EXPECT_EQ(in_report(world, "removed"), one);
+
+  const std::string file = testing::TempDir() + "kerf-history.kerf";
+  world.save_journal(file);
+  World opened(file);
+  const std::string as_opened = in_report(opened, "removed");
+  opened.cut(across(0.7));
+  EXPECT_NE(in_report(opened, "removed"), as_opened);
+  EXPECT_TRUE(opened.undo() && opened.undo());
+  EXPECT_EQ(in_report(opened, "removed"), as_opened);
+}
+
+TEST(History, undo_restores_the_size_from_which_defaults_follow) {
+  const auto hash_of_default = [](World& world) {
+    Stroke stroke = across(0.5);
+    stroke.radius = 0;
+    world.cut(stroke);
+    return world.hash();
+  };
+  World plain;
+  plain.add(sheet(10));
+  World other;
+  other.add(sheet(10));
+  BodyDesc far;
+  far.position[0] = 50;
+  other.add(sheet(1), far);
+  EXPECT_TRUE(other.undo());
+  EXPECT_EQ(hash_of_default(other), hash_of_default(plain));
+
+  World late;
+  late.add(sheet(10));
+  late.cut(across(0.2));
+  late.add(sheet(1), far);
+  const std::string file = testing::TempDir() + "kerf-late.kerf";
+  late.save_journal(file);
+  World opened(file);
+  EXPECT_EQ(hash_of_default(opened), hash_of_default(late));
+  World empty;
+  empty.add(sheet(1));
+  EXPECT_TRUE(empty.undo());
+  EXPECT_THROW(empty.cut(across(0.5)), InvalidArgument);
+}
+
+TEST(History, undo_restores_the_rest_of_a_tick) {
+  World world;
+  BodyDesc fixed;
+  fixed.is_fixed = true;
+  world.add(sheet(10), fixed);
+  world.cut(across(0.5));
+  world.simulate(0.0125);  // a tick and a half
+  const std::string fallen = world.hash();
+  EXPECT_TRUE(world.undo());
+  world.simulate(0.0125);
+  EXPECT_EQ(world.hash(), fallen);
+}
+
+TEST(History, pieces_that_a_new_material_detaches_are_cut_with_their_body) {
+  World world;
+  const BodyId body = world.add(sheet(10));
+  world.cut(across(0.5));
+  Stroke along = through_the_middle();
+  along.keys = {{0, {-1, 1, 0.5}, {0, -1, 0}}, {1, {2, 1, 0.5}, {0, -1, 0}}};
+  CutSettings settings;
+  settings.bodies = {body};
+  settings.material = "aluminium";
+  world.cut(along, settings);
+  EXPECT_EQ(world.pieces().size(), 4u);
+}
+
+TEST(History, placing_a_falling_piece_where_it_is_stops_it) {
+  World world;
+  const BodyId body = world.add(sheet(2));
+  world.simulate(0.1);
+  const kerf_body_info info = world.info(body);
+  ASSERT_LT(info.velocity[1], 0);
+  world.move(body, 0, {info.position[0], info.position[1], info.position[2]},
+             {info.orientation[0], info.orientation[1], info.orientation[2], info.orientation[3]});
+  EXPECT_EQ(world.info(body).velocity[1], 0);
+}
+
+TEST(History, numbers_beyond_doubles_are_refused) {
+  World world;
+  world.add(sheet(2));
+  EXPECT_THROW(world.cut_plane({1e-200, 0, 0}, 1e150), InvalidArgument);
+  Stroke stroke = through_the_middle();
+  stroke.keys[0].time = -1e308;
+  stroke.keys[1].time = 1e308;
+  EXPECT_THROW(world.cut(stroke), InvalidArgument);
+}
+
+TEST(History, boxes_find_faces_that_lie_in_one_of_their_sides) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> hundredths(-100, 100);
+  for (int i = 0; i < 1000; ++i) {
+    const double z = 0.01 * hundredths(random), other = z + 0.01 * (1 + std::abs(hundredths(random)));
+    World world;
+    world.add(Mesh(std::vector<double>{0, 0, z, 1, 0, z, 0, 1, z}, std::vector<uint32_t>{0, 1, 2}));
+    ASSERT_EQ(world.faces_in_box({-0.1, -0.1, z}, {0.1, 0.1, other}).faces.size(), 1u) << z << ' ' << other;
+    const double below = z - (other - z);
+    ASSERT_EQ(world.faces_in_box({-0.1, -0.1, below}, {0.1, 0.1, z}).faces.size(), 1u) << z << ' ' << below;
+  }
+}
+
+TEST(History, the_centroid_of_a_distant_mesh_keeps_its_digits) {
+  constexpr double kFar = 4194304;  // m; a unit in the last place is 1e-9
+  const Mesh near = sheet(30);
+  std::vector<double> vertices(near.vertices().begin(), near.vertices().end());
+  for (double& x : vertices) x += kFar;
+  const Mesh far(vertices, {near.faces().begin(), near.faces().end()});
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(far.info().centroid[k], kFar + (k == 1 ? 0 : 0.5), 1.5e-9);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -99,7 +99,8 @@ void add_changes(py::module_& m, WorldClass& world) {
       "take_changes",
       [](World& of) { return ChangesOfWorld(of.take_changes()); },  // the next call invalidates the arrays
       "Returns the Changes since the last call for this world. The first call returns `everything`, as does "
-      "one after a failed call, or after more changes than a log holds. To mirror the world: remove "
+      "one after a failed cut or stroke step, or after more changes than the log holds. To mirror the world: "
+      "remove "
       "destroyed "
       "bodies; apply `detached` in order, moving the mirror of `from` to `to` if keeps_faces; then for the "
       "other bodies, replacing created ones, remove faces, then add faces. Raises Busy.");

@@ -10,9 +10,11 @@ namespace kerf {
 
 // The volume that a cylinder with flat ends sweeps between two poses. At each pose the cylinder holds all
 // points within the radius of its axis whose depth along the axis lies in the range. The origin moves on a
-// straight line, and the direction turns uniformly. The volume is exact for a translation. For a tilting
-// cylinder, the corners of a triangle are assumed to move on straight lines in the plane across the beam; the
-// error is proportional to the squared angle, so that large turns must be subdivided.
+// straight line, and the direction turns uniformly. The volume is exact for a translation across the axis.
+// Where the ends of the range move along the axis, touches() uses the depths of the whole motion at each
+// pose, and contains() those common to all. For a tilting cylinder, the corners of a triangle are assumed to
+// move on straight lines in the plane across the beam; the error is proportional to the squared angle, so
+// that large turns must be subdivided.
 //
 // All arguments are in one frame, in metres. The radius may be zero: a ray, or the strip that it sweeps.
 class SweptCylinder {

@@ -253,6 +253,7 @@ Status write_step(const InspectArguments& a, FileUnit unit) {
   const Progress progress = line.progress();
   Result<OpenedFile> file = open_file(a.file, &progress, unit);
   if (!file) return error_or_stopped(file.error());
+  if (!file->journal.damage.empty()) warn(file->journal.damage);
   const auto json = step_json(std::move(*file), *a.step, &progress);
   return json ? write(*json) : Status(error_or_stopped(json.error()));
 }

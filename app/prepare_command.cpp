@@ -138,6 +138,8 @@ class PrepareRun {
     if (format_row(format).uvs_and_normals)
       looks = looks_of(body(), faces, is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth);
     if (looks.any()) view.looks = &looks;
+    const std::string part = part_name_of(body(), body().named_parts, faces);
+    if (body().named_parts.size() == 1) view.name = view.object = part;
     if (body().looks) view.surfaces = body().looks->surfaces().get();
     SurfaceFiles surfaces(world_);
     if (format == MeshFormat::kObj && options_.out != kStream) {
@@ -149,13 +151,21 @@ class PrepareRun {
     const auto write_to = [&](const std::filesystem::path& file) { return write_mesh(view, file, format); };
     const Status written =
         options_.out == kStream ? write_to_output(options_.ending(), write_to) : write_to(options_.out);
-    if (!written) return written;
+    if (!written) {
+      surfaces.remove();
+      return written;
+    }
     LostLooks lost;
     lost.add(body(), e, format);
     std::vector<std::string> notes;
     lost.add_notes(format, notes);
     if (const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF"))
       notes.push_back(*note);
+    if (format == MeshFormat::kObj && options_.out == kStream && view.surfaces != nullptr)
+      notes.emplace_back(
+          "standard output holds no material library: materials keep their names only; use --format glb");
+    if (body().named_parts.size() > 1)
+      notes.push_back("the names of " + std::to_string(body().named_parts.size()) + " parts are not written");
     for (const std::string& note : notes) warn(options_.out + ": " + note);
     return Done{};
   }

@@ -31,7 +31,7 @@ RigidMotion in_world(const Placement& placement, const RigidMotion& motion) {
 
 // Samples a move at equal shares, at most this far apart, and at most kMaxSamples times.
 size_t samples_of(const Pose& from, const Pose& to, double apart, double length) {
-  constexpr double kMaxSamples = 64;
+  constexpr double kMaxSamples = 10'000;
   const double way =
       glm::length(to.origin - from.origin) + length * glm::length(to.direction - from.direction);
   return static_cast<size_t>(std::clamp(std::ceil(way / apart), 1.0, kMaxSamples));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "core/base/tolerances.h"
@@ -23,11 +24,14 @@ class OutlineTracer {
   explicit OutlineTracer(const Extract& piece) : piece_(piece) {}
 
   std::optional<std::vector<DrawnLine>> run() {
-    if (!set_normal()) return std::nullopt;
-    sort_faces();
-    if (!(piece_.volume ? is_plate() : is_flat_sheet())) return std::nullopt;
-    set_axes();
-    return trace();
+    for (const Vec3& normal : normals()) {
+      set_normal(normal);
+      sort_faces();
+      if (!(piece_.volume ? is_plate() : is_flat_sheet())) continue;
+      set_axes();
+      return trace();
+    }
+    return std::nullopt;
   }
 
  private:
@@ -36,25 +40,35 @@ class OutlineTracer {
     return 0.5 * glm::cross(b - a, c - a);
   }
 
-  // Sets the normal to that of the largest face, with a positive largest component.
-  bool set_normal() {
-    double most = 0;
-    for (const auto& t : piece_.triangles) {
-      const Vec3 area = area_of(t);
+  // Returns the different normals of the largest faces: sides of a plate may have faces larger than its top.
+  std::vector<Vec3> normals() const {
+    constexpr size_t kMost = 16;
+    std::vector<Vec3> areas, found;
+    for (const auto& t : piece_.triangles) areas.push_back(area_of(t));
+    std::ranges::stable_sort(areas, std::greater(), [](const Vec3& area) { return glm::dot(area, area); });
+    for (const Vec3& area : areas) {
       const double length = glm::length(area);
-      if (length > most) {
-        most = length;
-        normal_ = area / length;
-      }
+      const auto is_along = [&](const Vec3& n) { return std::abs(glm::dot(n, area)) >= kCoplanar * length; };
+      if (!(length > 0) || found.size() == kMost) break;
+      if (std::ranges::none_of(found, is_along)) found.push_back(area / length);
     }
+    return found;
+  }
+
+  // Sets the normal, with a positive largest component.
+  void set_normal(const Vec3& normal) {
+    normal_ = normal;
     const Vec3 size = glm::abs(normal_);
     axis_ = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     if (normal_[axis_] < 0) normal_ = -normal_;
-    return most > 0;
   }
 
   // Finds the faces along the normal, by the direction in which they face, and the extent along it.
   void sort_faces() {
+    upper_.clear();
+    lower_.clear();
+    upper_area_ = lower_area_ = 0;
+    has_others_ = false;
     for (const auto& t : piece_.triangles) {
       const Vec3 area = area_of(t);
       const double length = glm::length(area), along = glm::dot(area, normal_);

@@ -11,6 +11,7 @@
 #include "core/document/piece_looks.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/soup_file.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
@@ -101,6 +102,7 @@ Status save_faces(const Body& body, std::span<const FaceId> faces, const fs::pat
 
 void InputFiles::add(const fs::path& file) {
   if (const auto there = regular_file(file)) files_.push_back({there->st_dev, there->st_ino, file});
+  if (file.extension() == ".obj") objs_.push_back(file);
   if (file.extension() != ".gltf") return;
   for (const fs::path& part : files_of_gltf(file)) {
     if (const auto there = regular_file(part)) files_.push_back({there->st_dev, there->st_ino, part});
@@ -120,6 +122,11 @@ void InputFiles::add_meshes(std::span<const Command> commands) {
 Status InputFiles::check(const std::string& option, const fs::path& output) const {
   const auto there = regular_file(output);
   if (!there) return Done{};
+  for (const fs::path& obj : std::exchange(objs_, {})) {
+    for (const fs::path& part : files_of_obj(obj)) {
+      if (const auto own = regular_file(part)) files_.push_back({own->st_dev, own->st_ino, part});
+    }
+  }
   for (const File& file : files_) {
     if (file.device != there->st_dev || file.inode != there->st_ino) continue;
     const bool same_name = file.path.lexically_normal() == output.lexically_normal();

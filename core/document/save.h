@@ -21,7 +21,8 @@ namespace kerf {
 // overwritten.
 class InputFiles {
  public:
-  // Adds a file, and for a glTF file its buffers and images.
+  // Adds a file, for a glTF file its buffers and images, and for an OBJ file its material libraries and
+  // images.
   void add(const std::filesystem::path& file);
   void add_meshes(const SceneDescription& scene);
   void add_meshes(std::span<const Command> commands);
@@ -39,7 +40,8 @@ class InputFiles {
     uint64_t device, inode;
     std::filesystem::path path;
   };
-  std::vector<File> files_;
+  mutable std::vector<File> files_;
+  mutable std::vector<std::filesystem::path> objs_;  // whose libraries and images are not in the list yet
 };
 
 InputFiles input_files(std::span<const std::filesystem::path> files);

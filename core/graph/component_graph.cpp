@@ -34,11 +34,13 @@ void add_body(ComponentGraph& graph, BodyId id, const Mesh& mesh, const Wanted& 
   }
 }
 
-// Every piece but the first is connected; the first has counts of its components.
+// A piece holds the connected faces that were cut off with its label, and loaded components.
 size_t parts_of(const Body& body, uint32_t label) {
-  if (label != 0 || body.components.left.empty()) return 1;
-  size_t parts = 0;
-  for (uint32_t i = 0; i < body.components.left.size(); ++i) parts += body.components.left[i].faces > 0;
+  const LoadedComponents& loaded = body.components;
+  if (loaded.left.empty()) return 1;
+  size_t parts = body.pieces[label].cut_off.faces > 0 ? 1 : 0;
+  for (uint32_t i = 0; i < loaded.left.size(); ++i)
+    parts += loaded.left[i].faces > 0 && loaded.home[i] == label;
   return parts;
 }
 

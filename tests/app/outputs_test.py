@@ -136,6 +136,15 @@ class Outputs(unittest.TestCase):
             self.assert_refused_and_unchanged([name, "--report", file], "--report", file)
             os.remove(self.path("p.png"))
 
+    def test_material_libraries_and_their_images_are_inputs(self):
+        self.write("look.obj", 'mtllib look.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n')
+        self.write("look.mtl", "newmtl a\nmap_Kd look.png\n")
+        self.write("look.png", "not an image")
+        self.assert_refused_and_unchanged(["render", "look.obj", "--out", "look.png"], "--out", "look.png")
+        for name in ("look.mtl", "look.png"):
+            self.assert_refused_and_unchanged(["cut", "look.obj", "--plane", "1,0,0,0.5", "--out", "out", "--journal", name],
+                                              "--journal", name)
+
     def test_a_match_recording_does_not_overwrite_its_rules(self):
         rules = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
         shutil.copytree(rules, self.path("assets"), ignore=shutil.ignore_patterns("pictures", "shaders", "*.py"))

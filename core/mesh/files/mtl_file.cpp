@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <utility>
@@ -137,16 +138,16 @@ class MtlImages {
   std::map<std::string, uint32_t> numbers_;
 };
 
-// A library file, and the folder to which its references are relative.
+// A library, its file, and the folder to which its references are relative.
 struct OpenLibrary {
   MtlFile file;
-  std::filesystem::path folder;
+  std::filesystem::path path, folder;
 };
 
 std::optional<OpenLibrary> open_library(const std::filesystem::path& folder, const std::string& reference) {
   const auto text = read_side_file(folder, reference, kMaxLibraryBytes);
   if (!text) return std::nullopt;
-  return OpenLibrary{parse_mtl(*text), folder};
+  return OpenLibrary{parse_mtl(*text), *side_file(folder, reference), folder};
 }
 
 // The statement mtllib lists names separated by blanks, but most writers write one name, which may have some.
@@ -210,6 +211,24 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
                                                       : " materials are not in a material library."));
   }
   return surfaces;
+}
+
+std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file) {
+  std::ifstream obj(file, std::ios::binary);
+  std::vector<std::string> statements, warnings;
+  for (std::string line; std::getline(obj, line);) {
+    std::string_view rest = trimmed(line);
+    if (rest.starts_with("mtllib") && take_word(rest) == "mtllib") statements.emplace_back(rest);
+  }
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::vector<std::filesystem::path> files;
+  for (const OpenLibrary& library : open_libraries(folder, statements, warnings)) {
+    files.push_back(library.path);
+    for (const std::string& reference : library.file.references) {
+      if (auto image = side_file(folder, reference)) files.push_back(std::move(*image));
+    }
+  }
+  return files;
 }
 
 SurfaceImage read_image(const std::filesystem::path& folder, const std::string& reference,

@@ -32,6 +32,10 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
                                                         std::span<const std::string> material_names,
                                                         std::vector<std::string>& warnings);
 
+// Returns the libraries of an OBJ file and the images that they name, those that exist in its folder. Reads
+// all lines of the file.
+std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file);
+
 // Reads an image that a file in this folder refers to (see read_side_file). If it cannot be read, its bytes
 // are empty, and a warning is appended.
 SurfaceImage read_image(const std::filesystem::path& folder, const std::string& reference,

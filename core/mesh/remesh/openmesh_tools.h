@@ -27,7 +27,7 @@ constexpr size_t parts_of_face(Subdivision scheme) { return scheme == Subdivisio
 // Fails with cancelled() when stopped; `progress` may be null. The result depends on the mesh and the scheme
 // only. Preconditions: the mesh has live faces, at most kMaxToSubdivide, and `limits.kept` are live. O(n log
 // n).
-inline constexpr size_t kMaxToSubdivide = size_t{1} << 28;
+inline constexpr size_t kMaxToSubdivide = size_t{1} << 27;
 Result<Remeshed> subdivide(const Mesh& mesh, Subdivision scheme, const RemeshLimits& limits,
                            const Progress* progress);
 

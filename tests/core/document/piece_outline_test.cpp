@@ -60,6 +60,42 @@ TEST(PieceOutline, a_plate_has_the_outline_of_its_upper_side_with_holes) {
   }
 }
 
+// A closed plate of 1 m, with n by n squares above and below and n rectangles on each other side.
+Soup plate_of_squares(int n, double height) {
+  Soup soup;
+  const Vec3 size(1, height, 1);
+  const glm::ivec3 parts(n, 1, n);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const int upper : {0, 1}) {
+      for (int i = 0; i < parts[u] * parts[v]; ++i) {
+        const auto corner = [&](int du, int dv) {
+          Vec3 p(0);
+          p[axis] = upper * size[axis];
+          p[u] = size[u] * (i % parts[u] + du) / parts[u];
+          p[v] = size[v] * (i / parts[u] + dv) / parts[v];
+          soup.positions.push_back(p);
+          return static_cast<uint32_t>(soup.positions.size() - 1);
+        };
+        const uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+        soup.triangles.push_back(upper ? std::array{a, b, c} : std::array{a, c, b});
+        soup.triangles.push_back(upper ? std::array{a, c, d} : std::array{a, d, c});
+      }
+    }
+  }
+  return soup;
+}
+
+TEST(PieceOutline, faces_of_the_other_sides_may_be_the_largest) {
+  const auto lines = flat_outline(whole(plate_of_squares(10, 0.2)));
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->size(), 1u);
+  EXPECT_NEAR(area_of_lines(*lines), 1, 1e-12);
+  double high = 0;
+  for (const Vec2& p : lines->front().points) high = std::max(high, p.x);
+  EXPECT_NEAR(high, 1, 1e-12) << "it is that of the upper side";
+}
+
 TEST(PieceOutline, other_pieces_have_none) {
   EXPECT_FALSE(flat_outline(whole(sphere(8, 12, 1))));
   EXPECT_FALSE(flat_outline(whole(tube(3, 12, 1, 1))));

@@ -116,6 +116,18 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
 }
 
+TEST_F(Actions, the_game_begins_without_a_beam_that_stays_on) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(8, 12, 1))));
+  workspace.session.document = Document(std::move(world));
+  workspace.beam.fire(workspace.session.document, {{0, 0, 5}, {0, 0, -1}}, 4, {}, 0);
+  workspace.input.held = std::make_unique<PlainDrag>("Cutting", [](const InputEvent&) {});
+  find_action(actions, "file.play_game")->run();
+  EXPECT_EQ(workspace.links.leaves, Leaves::kForTheGame);
+  EXPECT_FALSE(workspace.beam.cutting());
+  EXPECT_EQ(workspace.input.held, nullptr);
+}
+
 TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_reset) {
   ShowOptions& show = workspace.view.look.show;
   run_shortcut(actions, 'V', 0, workspace.message);

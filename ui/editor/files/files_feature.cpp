@@ -230,8 +230,7 @@ class FilesFeature : public Feature {
   std::vector<UserAction> leave_actions() {
     return {
         make_action("file.play_game", "Play Game", "F5",
-                    "Starts the car combat game; the document stays open.",
-                    [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
+                    "Starts the car combat game; the document stays open.", [this] { leave_for_game(); }),
         make_action("file.quit", "Quit", "Ctrl+Q", "Closes the editor and saves the settings.",
                     [this] { quit(); }),
     };
@@ -268,6 +267,12 @@ class FilesFeature : public Feature {
       workspace_.session.saved_lights = workspace_.view.look.lights;
       workspace_.session.saved_head = workspace_.session.scene.others;
     });
+  }
+  // Ends the stroke, so that the beam does not stay on during the game.
+  void leave_for_game() {
+    cancel_stroke(workspace_);
+    workspace_.input.held.reset();
+    workspace_.links.leaves = Leaves::kForTheGame;
   }
   // Calls `then`, which closes the open document, once the document is saved or may be discarded.
   void leave_for(std::function<void()> then) {

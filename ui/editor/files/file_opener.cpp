@@ -23,6 +23,7 @@ std::vector<Light> lights_shown(const SceneDescription& scene) {
 }
 
 Status write_all(DocumentSession& session, const ViewState& view, const fs::path& file) {
+  session.document.seal_journal();  // a mark does so only if nothing is queued
   mark_state(session.document, session.marks, true);
   if (Status hashed = record_hashes(session.scene); !hashed) return hashed;
   return save_journal(file, scene_now(session, view), session.document.journal(), session.marks);

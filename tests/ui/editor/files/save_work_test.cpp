@@ -104,6 +104,18 @@ TEST_F(SaveWork, a_scene_stores_everything_but_the_cuts_and_reports_it) {
   EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 
+TEST_F(SaveWork, ticks_after_a_save_during_a_stroke_are_unsaved) {
+  CutSettings settings;
+  settings.laser.radius = 0.05;
+  session_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
+  session_.document.apply(AdvanceTime{1, true});
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  const size_t saved = session_.document.journal().size();
+  session_.document.apply(AdvanceTime{1, true});
+  EXPECT_EQ(session_.document.journal().size(), saved + 1);
+  EXPECT_TRUE(needs_recovery_file(session_, view_.look.lights));
+}
+
 TEST_F(SaveWork, a_failed_save_leaves_the_document_unsaved) {
   cut();
   EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));

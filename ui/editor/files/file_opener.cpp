@@ -40,6 +40,7 @@ bool only_cools(const Command& command) {
 // other last command is in effect.
 bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
   size_t end = journal.size();
+  if (saved > end) return false;
   while (end > saved && only_cools(journal[end - 1])) --end;
   if (end == saved) return true;
   if (!std::holds_alternative<Undo>(journal[end - 1]) && !std::holds_alternative<Redo>(journal[end - 1]))
@@ -269,9 +270,7 @@ bool needs_recovery_file(const DocumentSession& session, const std::vector<Light
 bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights) {
   if (!needs_recovery_file(session, lights)) return false;
   const bool dressed_as_saved = lights == session.saved_lights && session.scene.others == session.saved_head;
-  const std::vector<Command>& journal = session.document.journal();
-  return !dressed_as_saved || session.saved_commands > journal.size() ||
-         !lasts_as_saved(journal, session.saved_commands);
+  return !dressed_as_saved || !lasts_as_saved(session.document.journal(), session.saved_commands);
 }
 
 std::string name_of_work(const DocumentSession& session) {
@@ -313,12 +312,14 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
     session.file = file;
     session.saved_commands = session.document.journal().size();
   }
-  session.saved_lights = view.look.lights;
-  session.saved_head = session.scene.others;
+  if (!scene_alone || session.file.empty()) {
+    session.saved_lights = view.look.lights;
+    session.saved_head = session.scene.others;
+  }
   remember_recent(settings, file);
-  const bool cut = is_unsaved(session, view.look.lights);
+  const bool cut = !lasts_as_saved(session.document.journal(), session.saved_commands);
   message.info("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
-  return !cut;
+  return !is_unsaved(session, view.look.lights);
 }
 
 void Recovery::begin(const DocumentSession& session, const ViewState& view) {

@@ -104,6 +104,17 @@ TEST_F(SaveWork, a_scene_stores_everything_but_the_cuts_and_reports_it) {
   EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 
+TEST_F(SaveWork, a_scene_saved_from_a_journal_leaves_the_journal_unsaved) {
+  cut();
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  view_.look.lights.front().intensity *= 2;
+  EXPECT_FALSE(save(folder_ / "mine.json"));
+  EXPECT_EQ(message_.text.find("without the cuts"), std::string::npos) << "they are in mine.kerf";
+  EXPECT_EQ(title(), "mine.kerf* - Kerf");
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  EXPECT_EQ(title(), "mine.kerf - Kerf");
+}
+
 TEST_F(SaveWork, ticks_after_a_save_during_a_stroke_are_unsaved) {
   CutSettings settings;
   settings.laser.radius = 0.05;

@@ -305,6 +305,22 @@ class Files(WindowTest):
             self.assertEqual(report[key], saved[key], key)
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
 
+    def test_save_asks_for_the_name_of_an_opened_previous_version(self):
+        editor = self.open(SPHERE)
+        self.save_as(editor, "ball")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.drag(ACROSS)
+        editor.press("ctrl", "s")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.quit()
+        editor = self.open_again(os.path.join(self.folder, "ball.kerf~"))
+        editor.wait_for_title("ball.kerf~ - Kerf")
+        editor.drag(ACROSS)
+        editor.press("ctrl", "s")
+        self.type_name(editor, "older")
+        editor.wait_for_title("older.kerf - Kerf")
+        editor.quit()
+
     def test_strokes_are_undone_and_redone(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)

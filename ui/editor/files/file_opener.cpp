@@ -161,7 +161,7 @@ void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
       if (order.left->opened.empty()) session.files.push_back(body.mesh);
     }
     session.file = order.left->work_of;
-  } else if (is_journal(order.files.front())) {
+  } else if (order.files.front().extension() == ".kerf") {  // Save never writes a previous version
     session.file = order.files.front();
   }
   const bool saved = !order.left && !loaded.damaged && order.moved.empty();

@@ -6,7 +6,10 @@
 
 #include "core/document/journal.h"
 #include "core/document/save.h"
+#include "tests/support/environment.h"
+#include "tests/support/game_files.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/editor/editor.h"
 
 namespace kerf {
 namespace {
@@ -197,6 +200,18 @@ TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
   EXPECT_TRUE(left_work_.empty());
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
+}
+
+TEST(SaveMatchAsScene, keeps_the_meshes_of_earlier_scenes) {
+  const TemporaryFolder folder;
+  const test::EnvironmentVariable state("XDG_STATE_HOME", folder.path().c_str());
+  const Match match({test::flat_rules(0, 0), 1, Difficulty::kEasy});
+  const auto first = save_match_as_scene(match, {{0, 5, 5}, {}}),
+             second = save_match_as_scene(match, {{0, 5, 5}, {}});
+  ASSERT_TRUE(first.ok() && second.ok());
+  EXPECT_NE(first->parent_path(), second->parent_path());
+  EXPECT_TRUE(open_file(*first).ok());
+  EXPECT_TRUE(open_file(*second).ok());
 }
 
 TEST(AutosaveWords, state_the_age_in_coarse_steps) {

@@ -1,6 +1,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <regex>
@@ -138,6 +139,14 @@ TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_
   run_shortcut(actions, 'W', 0, workspace.message);
   find_action(actions, "view.reset_overlays")->run();
   EXPECT_EQ(show, default_show());
+}
+
+TEST(FeatureLinks, separate_the_files_of_features_from_those_to_open) {
+  const test::EditorFeatures editor;
+  std::vector<std::filesystem::path> files{"part.obj", "lines.svg", "car.json", "lines.dxf"};
+  const std::vector<std::filesystem::path> drawings{"lines.svg", "lines.dxf"}, opened{"part.obj", "car.json"};
+  EXPECT_EQ(editor.workspace.links.extract_accepted(files), drawings);
+  EXPECT_EQ(files, opened);
 }
 
 class LayoutTable : public testing::Test {

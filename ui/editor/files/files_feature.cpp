@@ -105,8 +105,9 @@ class FilesFeature : public Feature {
     std::vector<std::string> faults;
     workspace_.opening.recoverable = find_recoverable_documents(state_folder(), faults);
     ask_about_recovery(decisions_, workspace_.opening.recoverable);
-    const Status opened =
-        opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
+    std::vector<fs::path> files = options.files;
+    companions_ = workspace_.links.extract_accepted(files);
+    const Status opened = opener_.open_first(options.default_scene, files);
     if (opened && !faults.empty() && !workspace_.message.is_error)
       workspace_.message.error("Recovery file is damaged: " + faults.front());
     return opened;
@@ -150,7 +151,10 @@ class FilesFeature : public Feature {
     return workspace_.opening.loader.busy() || opener_.moving() || watched_.awaits_check() ||
            workspace_.services.statistics.shown.autosave != state_of_autosave();
   }
-  void on_document_opened() override { watch_again(); }
+  void on_document_opened() override {
+    watch_again();
+    workspace_.links.take(std::exchange(companions_, {}));
+  }
 
   void draw_windows() override {
     const World::Bounds bounds = workspace_.world().loaded_bounds();
@@ -257,8 +261,12 @@ class FilesFeature : public Feature {
   }
 
   void open(std::vector<fs::path> files) {
-    files = workspace_.links.not_taken(std::move(files));
-    if (!files.empty()) leave_for([this, files] { opener_.open(files); });
+    const std::vector<fs::path> companions = workspace_.links.extract_accepted(files);
+    if (files.empty()) return workspace_.links.take(companions);
+    leave_for([this, files, companions] {
+      companions_ = companions;
+      opener_.open(files);
+    });
   }
   void quit() {
     leave_for([this] {
@@ -290,6 +298,7 @@ class FilesFeature : public Feature {
   void go(const std::function<void()>& then) {
     workspace_.opening.loader.cancel();
     workspace_.changes.forget();
+    companions_.clear();
     then();
   }
   void cancel_upload() {
@@ -482,6 +491,7 @@ class FilesFeature : public Feature {
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
+  std::vector<fs::path> companions_;   // such as paths, which are loaded once the files are open
   bool has_asked_about_mesh_ = false;  // about FileOpener::missing()
   bool is_autosaved_ = false;          // the last attempt succeeded
   WatchedFiles watched_;

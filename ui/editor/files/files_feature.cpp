@@ -1,4 +1,5 @@
 #include <imgui.h>
+#include <set>
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
@@ -153,6 +154,7 @@ class FilesFeature : public Feature {
   }
   void on_document_opened() override {
     watch_again();
+    altered_.clear();
     workspace_.links.take(std::exchange(companions_, {}));
   }
 
@@ -342,6 +344,7 @@ class FilesFeature : public Feature {
       watched_.watch(watched);
       changed_.clear();
     } else if (std::vector<fs::path> changed = watched_.changed(); !changed.empty()) {
+      altered_.insert(changed.begin(), changed.end());
       changed_ = std::move(changed);
     }
   }
@@ -425,19 +428,35 @@ class FilesFeature : public Feature {
     workspace_.changes.enqueue(
         {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
   }
-  void save_to(const fs::path& file) {
+  // Returns true if the file was written, perhaps without the cuts.
+  bool save_to(const fs::path& file) {
     cancel_stroke(workspace_);
     const bool saved =
         save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
+    if (workspace_.message.is_error) return false;
     recovery_.begin(workspace_.session, workspace_.view);
+    const bool warned = file.extension() != ".json" && warn_about_meshes();
     watch_again();
-    if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+    if (saved && !warned && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+    return true;
+  }
+  // Returns true if the saved journal refers to a mesh that another program has changed.
+  bool warn_about_meshes() {
+    (void)watched_.changed();  // the second call also returns files changed just now
+    const std::vector<fs::path> changed = watched_.changed();
+    altered_.insert(changed.begin(), changed.end());
+    const auto mesh = mismatched_mesh(workspace_.session, altered_);
+    if (mesh) {
+      workspace_.message.error(
+          "Saved, but " + mesh->filename().string() +
+          " was changed by another program: the saved file opens only with its old content.");
+    }
+    return mesh.has_value();
   }
   // Saves to a file of the dialog. If that fails, the dialog opens again in its folder with the error, and
   // `folder` is the remembered one.
   void save_as(const fs::path& file, const fs::path& folder) {
-    save_to(file);
-    if (!workspace_.message.is_error) return;
+    if (save_to(file)) return;
     workspace_.settings.folder = folder;
     std::error_code error;
     const bool has_folder = fs::is_directory(file.parent_path(), error);
@@ -497,6 +516,7 @@ class FilesFeature : public Feature {
   WatchedFiles watched_;
   std::vector<fs::path> documents_files_;  // which are watched, with their side files
   std::vector<fs::path> changed_;          // by other programs, offered for reloading
+  std::set<fs::path> altered_;             // likewise, since the document was opened
   double check_at_ = 0;                    // s of the clock, of the next check
   std::optional<View> kept_view_;          // during a reload
   double kept_diagonal_ = 0;               // m, of the world at its begin

@@ -136,6 +136,7 @@ class FilesFeature : public Feature {
     const bool asks =
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
+    ask_about_late_edits();
     opener_.take_loaded();
     ask_about_mesh();
     opener_.make_shadows();
@@ -301,7 +302,20 @@ class FilesFeature : public Feature {
     workspace_.opening.loader.cancel();
     workspace_.changes.forget();
     companions_.clear();
+    pending_ = {then, workspace_.session.scene.others, workspace_.view.look.lights};
     then();
+  }
+  // Asks again about the open document if it was edited while the files that replace it were read, which are
+  // then read once more.
+  void ask_about_late_edits() {
+    FileLoader& loader = workspace_.opening.loader;
+    if (!pending_.begin || !loader.busy() || !loader.is_over(0)) return;
+    const bool is_same =
+        workspace_.session.scene.others == pending_.head && workspace_.view.look.lights == pending_.lights;
+    if (is_same) return;
+    loader.cancel();
+    companions_.clear();
+    leave_for(std::exchange(pending_.begin, nullptr));
   }
   void cancel_upload() {
     workspace_.changes.enqueue({.name = "Cancel Upload",
@@ -388,7 +402,7 @@ class FilesFeature : public Feature {
         }
         break;
       case Decision::kRecover:
-        opener_.open_recovered();
+        go([this] { opener_.open_recovered(); });
         break;
       case Decision::kFindMesh:
         select_missing_mesh();
@@ -506,10 +520,18 @@ class FilesFeature : public Feature {
     workspace_.message.show(file ? "Saved: " + file->string() : file.error().message, !file.ok());
   }
 
+  // The last action that closed the open document, and the parts of the document that could be edited since.
+  struct PendingOpening {
+    std::function<void()> begin;
+    std::string head;  // SceneDescription::others
+    std::vector<Light> lights;
+  };
+
   Workspace& workspace_;
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
+  PendingOpening pending_;
   std::vector<fs::path> companions_;   // such as paths, which are loaded once the files are open
   bool has_asked_about_mesh_ = false;  // about FileOpener::missing()
   bool is_autosaved_ = false;          // the last attempt succeeded

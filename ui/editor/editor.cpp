@@ -98,6 +98,18 @@ Status run_in_window(const EditorOptions& options, LoadedSettings loaded, Window
       screen.report().dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
+// Creates a folder "inspected-N". Saved documents refer to the meshes in earlier ones, which stay.
+Result<std::filesystem::path> new_folder_for_match() {
+  const std::filesystem::path beside = high_scores_file().parent_path();
+  std::error_code error;
+  std::filesystem::create_directories(beside, error);
+  for (size_t number = 1; !error; ++number) {
+    const auto folder = beside / ("inspected-" + std::to_string(number));
+    if (std::filesystem::create_directory(folder, error)) return folder;
+  }
+  return failed(beside.string() + ": cannot create a folder: " + error.message());
+}
+
 }  // namespace
 
 Result<std::filesystem::path> save_match_as_scene(const Match& match, const View& view) {
@@ -115,7 +127,9 @@ Result<std::filesystem::path> save_match_as_scene(const Match& match, const View
   const Interval& radius = match.rules().description.laser.radius;
   entry["radius"] = 0.5 * (radius.low + radius.high);
   set_head_entry(scene, kEmitterKey, entry);
-  return save_world_as_scene(match.world(), std::move(scene), high_scores_file().parent_path() / "inspected");
+  const auto folder = new_folder_for_match();
+  if (!folder) return folder.error();
+  return save_world_as_scene(match.world(), std::move(scene), *folder);
 }
 
 Status run_editor(const EditorOptions& options) {

@@ -20,9 +20,9 @@ Status run_editor(const EditorOptions& options);
 Status run_editor_after_game(EditorOptions options, Window& window, Gui& gui, FrameLoop& loop,
                              WindowedGame game);
 
-// Writes the world of a match as a scene in a folder next to the high scores, with the player's view, an
+// Writes the world of a match as a scene in a new folder next to the high scores, with the player's view, an
 // emitter in place of the player's laser, and the beam of the game at medium width. Returns its file. Fails
-// like save_world_as_scene.
+// like save_world_as_scene, or if the folder cannot be created.
 Result<std::filesystem::path> save_match_as_scene(const Match& match, const View& view);
 
 }  // namespace kerf

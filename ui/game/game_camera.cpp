@@ -93,7 +93,7 @@ CameraView GameCamera::view(double aspect, double field_of_view) const {
 }
 
 ReplayCamera::Aim ReplayCamera::aim(const Match& match) const {
-  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
+  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, filmed(match));
   const double apart = glm::length(other - own);
   // The action is at the other vehicle. It is kept closer to the middle of the frame, and shown alone if
   // the player's is too far away.
@@ -115,12 +115,12 @@ int ReplayCamera::hidden_from(const Match& match, const Sight& sight, const Vec3
     const auto hit = sight.nearest({eye, way / length}, length, [&](BodyId id) { return stops(match, id); });
     return hit.has_value();
   };
-  return (hides(other_) ? 2 : 0) + (hides(Match::kPlayer) ? 1 : 0);
+  return (hides(filmed(match)) ? 2 : 0) + (hides(Match::kPlayer) ? 1 : 0);
 }
 
 ReplayCamera::EyePosition ReplayCamera::best_eye_position(const Match& match, const Sight& sight,
                                                           const Aim& aim) const {
-  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, other_);
+  const Vec3 own = middle_of(match, Match::kPlayer), other = middle_of(match, filmed(match));
   // A view across the line between the vehicles shows both whole.
   const double beside = heading_of(other - own) + 0.5 * kPi;
   EyePosition best{beside};
@@ -143,14 +143,14 @@ ReplayCamera::EyePosition ReplayCamera::best_eye_position(const Match& match, co
 bool ReplayCamera::stops(const Match& match, BodyId id) const {
   if (match.is_wall(id)) return true;
   const size_t vehicle = match.vehicle_of(id);
-  if (vehicle == other_ || vehicle == Match::kPlayer) return false;
+  if (vehicle == filmed(match) || vehicle == Match::kPlayer) return false;
   const Bounds box = match.world().body(id).bounds();
   return glm::length(box.max - box.min) > kLarge;
 }
 
 // Starts at the other vehicle, which is in the open; the middle may be inside a wall.
 Vec3 ReplayCamera::free_eye(const Match& match, const Sight& sight) const {
-  const Vec3 from = middle_of(match, other_), way = eye_ - from;
+  const Vec3 from = middle_of(match, filmed(match)), way = eye_ - from;
   const double length = glm::length(way);
   if (!(length > kMinDistance)) return eye_;
   const auto hit = sight.nearest({from, way / length}, length + kEyeClearance,
@@ -166,7 +166,6 @@ void ReplayCamera::move_to_best_position(const Match& match, const Sight& sight,
 }
 
 void ReplayCamera::follow(const Match& match, double seconds) {
-  KERF_ASSERT(other_ < match.vehicles().size());
   const Aim aim = this->aim(match);
   const Sight sight(match.world());
   if (!placed_) move_to_best_position(match, sight, aim);

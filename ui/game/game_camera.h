@@ -44,8 +44,9 @@ class GameCamera {
 // slowly around them. Walls, other vehicles and bodies of similar size never occlude the two.
 class ReplayCamera {
  public:
-  // Films the player's vehicle and `other`, an index of Match::vehicles(). `aside`: offset of the target to
-  // the right, as a fraction of its distance, because the result of the match is at the left.
+  // Films the player's vehicle and `other`, an index of Match::vehicles(), or the player's alone until the
+  // other one has spawned. `aside`: offset of the target to the right, as a fraction of its distance, because
+  // the result of the match is at the left.
   explicit ReplayCamera(size_t other, double aside = 0.2) : other_(other), aside_(aside) {}
 
   // Advances by a time [s]. If walls hide the vehicles, moves to the angle with the best view of them.
@@ -65,6 +66,9 @@ class ReplayCamera {
     double height = 0.34;  // over the middle, as a fraction of the distance
     double nearness = 1;   // factor of the distance
   };
+  size_t filmed(const Match& match) const {
+    return other_ < match.vehicles().size() ? other_ : Match::kPlayer;
+  }
   Aim aim(const Match& match) const;
   static Vec3 eye_at(const Aim& aim, const EyePosition& position);
   // Returns true if a body occludes the vehicles, so that the eye must stay in front of it.

@@ -137,7 +137,7 @@ void GameScreen::handle_input(const Input& input) {
   if (!window_.has_focus()) enter(State::kPaused);
 }
 
-// In menus the buttons of a gamepad are keys.
+// In menus the buttons of a gamepad are keys. An unplugged gamepad releases its buttons and sticks.
 void GameScreen::handle_gamepad() {
   static constexpr std::pair<int, int> kMenuKeys[] = {{GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP},
                                                       {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN},
@@ -150,16 +150,16 @@ void GameScreen::handle_gamepad() {
                                                       {GLFW_GAMEPAD_BUTTON_START, GLFW_KEY_P}};
   static constexpr int kUpgradeButtons[] = {GLFW_GAMEPAD_BUTTON_DPAD_LEFT, GLFW_GAMEPAD_BUTTON_DPAD_UP,
                                             GLFW_GAMEPAD_BUTTON_DPAD_RIGHT};
-  const auto pad = read_gamepad();
-  has_gamepad_ = pad.has_value();
-  if (!pad) return;
-  const GamepadState last = std::exchange(pad_, *pad);
-  const auto is_new = [&](int button) { return pad->is_pressed(button) && !last.is_pressed(button); };
+  const auto read = read_gamepad();
+  const bool had_gamepad = std::exchange(has_gamepad_, read.has_value());
+  if (!read && !had_gamepad) return;
+  const GamepadState pad = read.value_or(GamepadState()), last = std::exchange(pad_, pad);
+  const auto is_new = [&](int button) { return pad.is_pressed(button) && !last.is_pressed(button); };
   if (state_ == State::kPlaying) {
     const bool friction =
         settings_.aim_help && own_vehicle().alive && is_near_part(*match_, Sight(match_->world()), aim());
     const double seconds = ImGui::GetIO().DeltaTime * steady_.aim_factor();
-    input_.apply_gamepad(*pad, seconds, settings_, friction);
+    input_.apply_gamepad(pad, seconds, settings_, friction);
     for (uint8_t i = 0; i < Controls::kUpgrades; ++i) {
       if (can_upgrade() && is_new(kUpgradeButtons[i])) input_.select_upgrade(static_cast<uint8_t>(i + 1));
     }

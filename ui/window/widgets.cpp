@@ -243,6 +243,14 @@ std::string fitted_text(std::string_view text, float width, const TextWidth& wid
   return std::string(text.substr(0, fits)) + kEllipsis;
 }
 
+void fill_field(std::span<char> buffer, std::string_view text) {
+  KERF_ASSERT(!buffer.empty());
+  size_t length = std::min(text.size(), buffer.size() - 1);
+  while (length > 0 && length < text.size() && !begins_character(text[length])) --length;
+  std::ranges::fill(buffer, '\0');
+  std::copy_n(text.begin(), length, buffer.begin());
+}
+
 std::string fitted_number(double value, const RealFormat& format, std::string_view unit, double scale,
                           float width, const TextWidth& width_of) {
   std::string text = number_text(value, format, scale) + std::string(unit);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,10 @@ float width_of_text(std::string_view text);
 // Returns the text, or its beginning and an ellipsis. Empty if not even the ellipsis fits. O(size of the
 // text).
 std::string fitted_text(std::string_view text, float width, const TextWidth& width_of = width_of_text);
+
+// Copies a text into the buffer of ImGui::InputText(), truncated at a character boundary if it is too long.
+// Precondition: the buffer is not empty.
+void fill_field(std::span<char> buffer, std::string_view text);
 
 // Returns the number with its unit as number_text() formats it; if that is too wide, with fewer digits,
 // then without the unit; an ellipsis if no digit fits.

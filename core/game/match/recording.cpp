@@ -237,9 +237,9 @@ std::optional<MatchMoment> ScoreLog::best() const {
   for (size_t last = 0; last < scored_.size(); ++last) {
     sum += scored_[last].points;
     const MatchMoment moment = around(scored_[last].wave, scored_[last].tick);
-    while (scored_[first].wave != scored_[last].wave || scored_[first].tick <= moment.from)
+    while (first <= last && (scored_[first].wave != scored_[last].wave || scored_[first].tick <= moment.from))
       sum -= scored_[first++].points;
-    if (sum <= best.points) continue;
+    if (first > last || sum <= best.points) continue;
     best = moment;
     best.points = sum;
     std::map<size_t, double> by_vehicle;

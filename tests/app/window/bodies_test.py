@@ -76,6 +76,17 @@ class Bodies(WindowTest):
         report = editor.quit()
         self.assertEqual(report["time"], {**report["time"], "ticks": 2, "playing": False, "speed": 0.5})
 
+    def test_esc_removes_a_copy_that_was_made_while_time_runs(self):
+        editor = self.open(SPHERE)
+        editor.press("k")
+        editor.click(0.5, 0.53)
+        self.play(editor)
+        editor.press("shift", "d")
+        editor.pause(1)
+        editor.press("Escape")
+        editor.settle()  # undo pauses
+        self.assertEqual(editor.quit()["bodies"], 1)
+
     def test_a_pinned_piece_stays_while_others_fall(self):
         editor = self.cut_sphere()
         editor.press("k")

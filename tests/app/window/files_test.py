@@ -208,6 +208,24 @@ class Files(WindowTest):
         self.assertGreater(faces["keep files"], 4000)
         self.assertLess(faces["reload files"], 1000)
 
+    def test_saving_reports_a_mesh_that_another_program_has_changed(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        part, scene = (os.path.join(folder.name, name) for name in ("part.obj", "scene.json"))
+        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), part)
+        with open(scene, "w") as file:
+            json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        editor = self.open(scene)
+        editor.pause(3)
+        shutil.copy(os.path.join(ASSETS, "meshes", "bracket.obj"), part)
+        editor.pause(3)
+        editor.click("keep files", 0.5, 0.5)
+        self.save_as(editor, "job")
+        editor.wait_for_title("job.kerf - Kerf")
+        self.assertIn("part.obj was changed by another program", editor.ask("report")["message"])
+        self.assertNotIn("browser", editor.landmarks()["parts"])
+        editor.quit()
+
     def test_a_changed_material_library_is_offered_for_reloading(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -304,6 +322,22 @@ class Files(WindowTest):
         for key in ("strokes", "faces", "pieces", "faces_removed"):
             self.assertEqual(report[key], saved[key], key)
         self.assertEqual(self.settings()["recent"][0], os.path.realpath(journal))
+
+    def test_save_asks_for_the_name_of_an_opened_previous_version(self):
+        editor = self.open(SPHERE)
+        self.save_as(editor, "ball")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.drag(ACROSS)
+        editor.press("ctrl", "s")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.quit()
+        editor = self.open_again(os.path.join(self.folder, "ball.kerf~"))
+        editor.wait_for_title("ball.kerf~ - Kerf")
+        editor.drag(ACROSS)
+        editor.press("ctrl", "s")
+        self.type_name(editor, "older")
+        editor.wait_for_title("older.kerf - Kerf")
+        editor.quit()
 
     def test_strokes_are_undone_and_redone(self):
         editor = self.open(SPHERE)

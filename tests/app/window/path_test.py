@@ -6,7 +6,7 @@ import tempfile
 import time
 import unittest
 
-from editor_window import ASSETS, KERF, SPHERE, WindowTest, real_input
+from editor_window import ACROSS, ASSETS, KERF, SPHERE, WindowTest, real_input
 
 PLATE = os.path.join(ASSETS, "scenes", "thin-plate.json")
 
@@ -247,6 +247,18 @@ class Path(WindowTest):
         self.assertEqual((report["strokes"], report["undo_depth"]), (2, 2))
         self.assertAlmostEqual(report["path"]["speed"], 0.6)
         self.expect_same_cut(path, os.path.join(self.folder, "run.kerf"), mesh("sphere.obj"))
+
+    def test_a_path_dropped_with_a_mesh_belongs_to_it_and_is_dropped_on_cancel(self):
+        editor = self.open(SPHERE)
+        path = self.write_path([0.05, -0.05], 0.006)
+        editor.drag(ACROSS)
+        for key, title, strokes in (("Escape", "sphere.json* - Kerf", 0), ("d", "plate.obj - Kerf", 2)):
+            editor.drop(mesh("plate.obj"), path)
+            editor.part("question")
+            editor.do(key)
+            editor.wait_for_title(title)
+            self.assertEqual(editor.ask("report")["path"]["strokes"], strokes)
+        editor.quit()
 
     @real_input
     def test_a_cancelled_run_leaves_no_trace(self):

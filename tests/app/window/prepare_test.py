@@ -1,7 +1,8 @@
 """The Prepare panel: numbers before, fewer or more faces afterwards, one undo, and Esc."""
+import os
 import unittest
 
-from editor_window import SPHERE, WindowTest
+from editor_window import ASSETS, SPHERE, WindowTest
 
 
 class Prepare(WindowTest):
@@ -71,6 +72,17 @@ class Prepare(WindowTest):
         self.choose(editor, "preparation", 2)
         editor.press("ctrl", "a")
         self.assertEqual(editor.quit()["preview"]["faces"], 4 * faces)
+
+    def test_a_file_dropped_during_background_work_opens_afterwards(self):
+        editor, _ = self.open_panel()
+        self.choose(editor, "preparation", 2)
+        self.type_number(editor, "Iterations", "3")
+        editor.click("prepare", 0.5, 0.5)
+        editor.drop(os.path.join(ASSETS, "meshes", "plate.obj"))
+        editor.part("question")
+        editor.press("d")
+        editor.wait_for_title("plate.obj - Kerf")
+        editor.quit()
 
     def test_down_and_enter_select_in_a_list(self):
         editor, faces = self.open_panel()

@@ -1,6 +1,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <regex>
@@ -116,6 +117,18 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
 }
 
+TEST_F(Actions, the_game_begins_without_a_beam_that_stays_on) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(8, 12, 1))));
+  workspace.session.document = Document(std::move(world));
+  workspace.beam.fire(workspace.session.document, {{0, 0, 5}, {0, 0, -1}}, 4, {}, 0);
+  workspace.input.held = std::make_unique<PlainDrag>("Cutting", [](const InputEvent&) {});
+  find_action(actions, "file.play_game")->run();
+  EXPECT_EQ(workspace.links.leaves, Leaves::kForTheGame);
+  EXPECT_FALSE(workspace.beam.cutting());
+  EXPECT_EQ(workspace.input.held, nullptr);
+}
+
 TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_reset) {
   ShowOptions& show = workspace.view.look.show;
   run_shortcut(actions, 'V', 0, workspace.message);
@@ -126,6 +139,14 @@ TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_
   run_shortcut(actions, 'W', 0, workspace.message);
   find_action(actions, "view.reset_overlays")->run();
   EXPECT_EQ(show, default_show());
+}
+
+TEST(FeatureLinks, separate_the_files_of_features_from_those_to_open) {
+  const test::EditorFeatures editor;
+  std::vector<std::filesystem::path> files{"part.obj", "lines.svg", "car.json", "lines.dxf"};
+  const std::vector<std::filesystem::path> drawings{"lines.svg", "lines.dxf"}, opened{"part.obj", "car.json"};
+  EXPECT_EQ(editor.workspace.links.extract_accepted(files), drawings);
+  EXPECT_EQ(files, opened);
 }
 
 class LayoutTable : public testing::Test {

@@ -121,6 +121,22 @@ TEST(PlayerInput, a_key_can_be_replaced_and_the_two_actions_swap) {
   EXPECT_EQ(settings.keys, before);
 }
 
+TEST(PlayerInput, an_unplugged_gamepad_releases_throttle_and_fire) {
+  PlayerInput input;
+  GamepadState pad;
+  pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y] = -1;
+  pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] = 1;
+  input.apply_gamepad(pad, 0.1, {}, false);
+  const Controls held = input.controls({});
+  EXPECT_TRUE(held.fire);
+  EXPECT_EQ(held.throttle, Controls::kFull);
+  input.apply_gamepad({}, 0.1, {}, false);
+  (void)input.controls({});
+  const Controls released = input.controls({});
+  EXPECT_FALSE(released.fire);
+  EXPECT_EQ(released.throttle, 0);
+}
+
 // The player's car looks at an enemy 20 m ahead, and a little past its middle.
 class AimAssist : public testing::Test {
  protected:

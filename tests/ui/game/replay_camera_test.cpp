@@ -5,6 +5,7 @@
 #include "core/base/deterministic_math.h"
 #include "core/base/random.h"
 #include "tests/support/checkout.h"
+#include "tests/support/game_files.h"
 #include "tests/support/runs.h"
 #include "tests/support/segment_faces.h"
 
@@ -50,6 +51,14 @@ TEST(ReplayCamera, stays_in_front_of_walls_and_containers) {
         << "place " << place << ": " << first.x << ", " << first.z << " and " << second.x << ", " << second.z;
     EXPECT_EQ(view.eye, camera.eye());
   }
+}
+
+TEST(ReplayCamera, films_the_player_alone_until_the_other_vehicle_spawns) {
+  const Match match({test::flat_rules(0, 0), 1, Difficulty::kNormal});
+  ReplayCamera camera(match.vehicles().size());
+  for (int frame = 0; frame < 20; ++frame) camera.follow(match, 0.1);
+  const Vec3 car = match.world().body(match.vehicles()[Match::kPlayer].chassis).placement.position;
+  EXPECT_LT(glm::length(camera.eye() - car), 20);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/base/random.h"
 #include "tests/support/runs.h"
 
@@ -66,6 +68,20 @@ TEST(ProgressText, reaches_100_percent_at_no_time) {
   EXPECT_EQ(progress_text(0.4), "40 %");
   EXPECT_EQ(progress_text(0.999), "99 %");
   EXPECT_EQ(progress_text(1), "99 %");
+}
+
+TEST(FieldText, is_truncated_at_a_whole_character) {
+  std::array<char, 8> buffer{};
+  const auto filled = [&](std::string_view text) {
+    fill_field(buffer, text);
+    return std::string(buffer.data());
+  };
+  EXPECT_EQ(filled("wheel_front"), "wheel_f");
+  EXPECT_EQ(filled("wheel"), "wheel");
+  EXPECT_EQ(filled("sixsix\xc2\xb0"), "sixsix");
+  EXPECT_EQ(filled("five5\xc2\xb0"), "five5\xc2\xb0");
+  EXPECT_EQ(filled("four\xf0\x9f\x98\x80"), "four");
+  EXPECT_EQ(filled(""), "");
 }
 
 }  // namespace

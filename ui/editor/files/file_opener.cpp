@@ -23,6 +23,7 @@ std::vector<Light> lights_shown(const SceneDescription& scene) {
 }
 
 Status write_all(DocumentSession& session, const ViewState& view, const fs::path& file) {
+  session.document.seal_journal();  // a mark does so only if nothing is queued
   mark_state(session.document, session.marks, true);
   if (Status hashed = record_hashes(session.scene); !hashed) return hashed;
   return save_journal(file, scene_now(session, view), session.document.journal(), session.marks);
@@ -39,6 +40,7 @@ bool only_cools(const Command& command) {
 // other last command is in effect.
 bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
   size_t end = journal.size();
+  if (saved > end) return false;
   while (end > saved && only_cools(journal[end - 1])) --end;
   if (end == saved) return true;
   if (!std::holds_alternative<Undo>(journal[end - 1]) && !std::holds_alternative<Redo>(journal[end - 1]))
@@ -159,7 +161,7 @@ void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
       if (order.left->opened.empty()) session.files.push_back(body.mesh);
     }
     session.file = order.left->work_of;
-  } else if (is_journal(order.files.front())) {
+  } else if (order.files.front().extension() == ".kerf") {  // Save never writes a previous version
     session.file = order.files.front();
   }
   const bool saved = !order.left && !loaded.damaged && order.moved.empty();
@@ -268,9 +270,7 @@ bool needs_recovery_file(const DocumentSession& session, const std::vector<Light
 bool is_unsaved(const DocumentSession& session, const std::vector<Light>& lights) {
   if (!needs_recovery_file(session, lights)) return false;
   const bool dressed_as_saved = lights == session.saved_lights && session.scene.others == session.saved_head;
-  const std::vector<Command>& journal = session.document.journal();
-  return !dressed_as_saved || session.saved_commands > journal.size() ||
-         !lasts_as_saved(journal, session.saved_commands);
+  return !dressed_as_saved || !lasts_as_saved(session.document.journal(), session.saved_commands);
 }
 
 std::string name_of_work(const DocumentSession& session) {
@@ -312,12 +312,14 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
     session.file = file;
     session.saved_commands = session.document.journal().size();
   }
-  session.saved_lights = view.look.lights;
-  session.saved_head = session.scene.others;
+  if (!scene_alone || session.file.empty()) {
+    session.saved_lights = view.look.lights;
+    session.saved_head = session.scene.others;
+  }
   remember_recent(settings, file);
-  const bool cut = is_unsaved(session, view.look.lights);
+  const bool cut = !lasts_as_saved(session.document.journal(), session.saved_commands);
   message.info("Saved: " + file.string() + (cut ? ", without the cuts: save as .kerf to keep them" : ""));
-  return !cut;
+  return !is_unsaved(session, view.look.lights);
 }
 
 void Recovery::begin(const DocumentSession& session, const ViewState& view) {

@@ -1,4 +1,5 @@
 #include <imgui.h>
+#include <set>
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
@@ -105,8 +106,9 @@ class FilesFeature : public Feature {
     std::vector<std::string> faults;
     workspace_.opening.recoverable = find_recoverable_documents(state_folder(), faults);
     ask_about_recovery(decisions_, workspace_.opening.recoverable);
-    const Status opened =
-        opener_.open_first(options.default_scene, workspace_.links.not_taken(options.files));
+    std::vector<fs::path> files = options.files;
+    companions_ = workspace_.links.extract_accepted(files);
+    const Status opened = opener_.open_first(options.default_scene, files);
     if (opened && !faults.empty() && !workspace_.message.is_error)
       workspace_.message.error("Recovery file is damaged: " + faults.front());
     return opened;
@@ -134,6 +136,7 @@ class FilesFeature : public Feature {
     const bool asks =
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
+    ask_about_late_edits();
     opener_.take_loaded();
     ask_about_mesh();
     opener_.make_shadows();
@@ -150,7 +153,11 @@ class FilesFeature : public Feature {
     return workspace_.opening.loader.busy() || opener_.moving() || watched_.awaits_check() ||
            workspace_.services.statistics.shown.autosave != state_of_autosave();
   }
-  void on_document_opened() override { watch_again(); }
+  void on_document_opened() override {
+    watch_again();
+    altered_.clear();
+    workspace_.links.take(std::exchange(companions_, {}));
+  }
 
   void draw_windows() override {
     const World::Bounds bounds = workspace_.world().loaded_bounds();
@@ -230,8 +237,7 @@ class FilesFeature : public Feature {
   std::vector<UserAction> leave_actions() {
     return {
         make_action("file.play_game", "Play Game", "F5",
-                    "Starts the car combat game; the document stays open.",
-                    [this] { workspace_.links.leaves = Leaves::kForTheGame; }),
+                    "Starts the car combat game; the document stays open.", [this] { leave_for_game(); }),
         make_action("file.quit", "Quit", "Ctrl+Q", "Closes the editor and saves the settings.",
                     [this] { quit(); }),
     };
@@ -258,8 +264,12 @@ class FilesFeature : public Feature {
   }
 
   void open(std::vector<fs::path> files) {
-    files = workspace_.links.not_taken(std::move(files));
-    if (!files.empty()) leave_for([this, files] { opener_.open(files); });
+    const std::vector<fs::path> companions = workspace_.links.extract_accepted(files);
+    if (files.empty()) return workspace_.links.take(companions);
+    leave_for([this, files, companions] {
+      companions_ = companions;
+      opener_.open(files);
+    });
   }
   void quit() {
     leave_for([this] {
@@ -268,6 +278,12 @@ class FilesFeature : public Feature {
       workspace_.session.saved_lights = workspace_.view.look.lights;
       workspace_.session.saved_head = workspace_.session.scene.others;
     });
+  }
+  // Ends the stroke, so that the beam does not stay on during the game.
+  void leave_for_game() {
+    cancel_stroke(workspace_);
+    workspace_.input.held.reset();
+    workspace_.links.leaves = Leaves::kForTheGame;
   }
   // Calls `then`, which closes the open document, once the document is saved or may be discarded.
   void leave_for(std::function<void()> then) {
@@ -285,7 +301,21 @@ class FilesFeature : public Feature {
   void go(const std::function<void()>& then) {
     workspace_.opening.loader.cancel();
     workspace_.changes.forget();
+    companions_.clear();
+    pending_ = {then, workspace_.session.scene.others, workspace_.view.look.lights};
     then();
+  }
+  // Asks again about the open document if it was edited while the files that replace it were read, which are
+  // then read once more.
+  void ask_about_late_edits() {
+    FileLoader& loader = workspace_.opening.loader;
+    if (!pending_.begin || !loader.busy() || !loader.is_over(0)) return;
+    const bool is_same =
+        workspace_.session.scene.others == pending_.head && workspace_.view.look.lights == pending_.lights;
+    if (is_same) return;
+    loader.cancel();
+    companions_.clear();
+    leave_for(std::exchange(pending_.begin, nullptr));
   }
   void cancel_upload() {
     workspace_.changes.enqueue({.name = "Cancel Upload",
@@ -328,6 +358,7 @@ class FilesFeature : public Feature {
       watched_.watch(watched);
       changed_.clear();
     } else if (std::vector<fs::path> changed = watched_.changed(); !changed.empty()) {
+      altered_.insert(changed.begin(), changed.end());
       changed_ = std::move(changed);
     }
   }
@@ -371,7 +402,7 @@ class FilesFeature : public Feature {
         }
         break;
       case Decision::kRecover:
-        opener_.open_recovered();
+        go([this] { opener_.open_recovered(); });
         break;
       case Decision::kFindMesh:
         select_missing_mesh();
@@ -411,19 +442,35 @@ class FilesFeature : public Feature {
     workspace_.changes.enqueue(
         {.name = "Save", .run = [this] { return save_to(workspace_.session.file), true; }, .always = true});
   }
-  void save_to(const fs::path& file) {
+  // Returns true if the file was written, perhaps without the cuts.
+  bool save_to(const fs::path& file) {
     cancel_stroke(workspace_);
     const bool saved =
         save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
+    if (workspace_.message.is_error) return false;
     recovery_.begin(workspace_.session, workspace_.view);
+    const bool warned = file.extension() != ".json" && warn_about_meshes();
     watch_again();
-    if (saved && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+    if (saved && !warned && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
+    return true;
+  }
+  // Returns true if the saved journal refers to a mesh that another program has changed.
+  bool warn_about_meshes() {
+    (void)watched_.changed();  // the second call also returns files changed just now
+    const std::vector<fs::path> changed = watched_.changed();
+    altered_.insert(changed.begin(), changed.end());
+    const auto mesh = mismatched_mesh(workspace_.session, altered_);
+    if (mesh) {
+      workspace_.message.error(
+          "Saved, but " + mesh->filename().string() +
+          " was changed by another program: the saved file opens only with its old content.");
+    }
+    return mesh.has_value();
   }
   // Saves to a file of the dialog. If that fails, the dialog opens again in its folder with the error, and
   // `folder` is the remembered one.
   void save_as(const fs::path& file, const fs::path& folder) {
-    save_to(file);
-    if (!workspace_.message.is_error) return;
+    if (save_to(file)) return;
     workspace_.settings.folder = folder;
     std::error_code error;
     const bool has_folder = fs::is_directory(file.parent_path(), error);
@@ -473,15 +520,25 @@ class FilesFeature : public Feature {
     workspace_.message.show(file ? "Saved: " + file->string() : file.error().message, !file.ok());
   }
 
+  // The last action that closed the open document, and the parts of the document that could be edited since.
+  struct PendingOpening {
+    std::function<void()> begin;
+    std::string head;  // SceneDescription::others
+    std::vector<Light> lights;
+  };
+
   Workspace& workspace_;
   Decisions decisions_;
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
+  PendingOpening pending_;
+  std::vector<fs::path> companions_;   // such as paths, which are loaded once the files are open
   bool has_asked_about_mesh_ = false;  // about FileOpener::missing()
   bool is_autosaved_ = false;          // the last attempt succeeded
   WatchedFiles watched_;
   std::vector<fs::path> documents_files_;  // which are watched, with their side files
   std::vector<fs::path> changed_;          // by other programs, offered for reloading
+  std::set<fs::path> altered_;             // likewise, since the document was opened
   double check_at_ = 0;                    // s of the clock, of the next check
   std::optional<View> kept_view_;          // during a reload
   double kept_diagonal_ = 0;               // m, of the world at its begin

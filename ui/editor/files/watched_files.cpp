@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/assert.h"
+#include "core/document/text/hash.h"
 #include "core/mesh/files/mesh_format.h"
 #include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/side_file.h"
@@ -146,6 +147,15 @@ std::vector<fs::path> side_files_of(const fs::path& mesh) {
   if (format == MeshFormat::kObj) add_files_of_obj(files, mesh);
   if (format && is_gltf(*format)) add_files_of_gltf(files, mesh);
   return files;
+}
+
+std::optional<fs::path> mismatched_mesh(const DocumentSession& session, const std::set<fs::path>& changed) {
+  for (const SceneBody& body : session.scene.bodies) {
+    if (!body.hash || !changed.contains(body.mesh)) continue;
+    const Result<uint64_t> now = file_hash(body.mesh);
+    if (!now || *now != *body.hash) return body.mesh;
+  }
+  return std::nullopt;
 }
 
 std::string words_on_changed(const std::vector<fs::path>& files) {

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,11 @@ std::vector<std::filesystem::path> side_files_of(const std::filesystem::path& me
 
 // Returns the files that open the document again: its journal, or those from which it was opened.
 std::vector<std::filesystem::path> files_to_reload(const DocumentSession& session);
+
+// Returns the first of the changed files that is a mesh of the open document and no longer has the content by
+// which its journal refers to it; nullopt if there is none. Reads these meshes.
+std::optional<std::filesystem::path> mismatched_mesh(const DocumentSession& session,
+                                                     const std::set<std::filesystem::path>& changed);
 
 // "car.obj was changed by another program.", or with the number of further files.
 std::string words_on_changed(const std::vector<std::filesystem::path>& files);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -311,8 +310,8 @@ class RulerFeature : public Feature {
     } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
       renamed_ = mark;
       take_focus_ = field_drawn_ = true;
-      new_name_.fill('\0');
-      std::memcpy(new_name_.data(), name.data(), std::min(name.size(), new_name_.size() - 1));
+      fill_field(new_name_, name);
+      old_name_ = new_name_.data();
     }
     mark_last_item("ruler name", static_cast<int>(mark));
     ImGui::TableNextColumn();
@@ -348,7 +347,7 @@ class RulerFeature : public Feature {
     if (!entered && ImGui::IsItemActive()) return;
     renamed_.reset();
     const std::string name = new_name_.data();
-    if (!entered || name.empty() || name == list_.marks()[mark].name) return;
+    if (!entered || name.empty() || name == old_name_) return;
     list_.begin_edit();
     list_.rename(mark, name);
     keep();
@@ -379,6 +378,7 @@ class RulerFeature : public Feature {
   std::optional<size_t> renamed_;  // the mark whose name is being edited
   bool take_focus_ = false;        // the field of the name is new
   bool field_drawn_ = false;       // in this frame
+  std::string old_name_;           // as the field shows it first
   std::array<char, 96> new_name_{};
 };
 

@@ -17,7 +17,7 @@ namespace kerf {
 namespace {
 
 // Returns the world before the last stroke of `first`, or its current world if it has no stroke; nullopt if
-// it is too large to copy.
+// no_comparison_reason() applies.
 std::optional<World> world_to_cut(Document& first) {
   if (first.history().last_cut()) return first.before_last_stroke();
   if (first.world().live_faces() > Document::kMaxFacesToCopy) return std::nullopt;
@@ -92,7 +92,7 @@ class SplitFeature : public Feature {
                     count_text(workspace_.services.statistics.shown.faces, "face"), list);
     draw_half_label(l.second, resolution_text(cut ? twin_.resolution() : resolution_.of(radius), unit),
                     twin_.there() ? count_text(workspace_.services.statistics.shown.twin_faces, "face")
-                                  : "Too large to compare (more than 400 000 faces)",
+                                  : no_comparison_reason(document),
                     list);
     const auto x = static_cast<float>(l.second.at.x), y = static_cast<float>(l.second.at.y);
     list.AddLine({x, y}, {x, y + static_cast<float>(l.second.size.y)}, colours::kPictureShade, 3);
@@ -158,6 +158,15 @@ class SplitFeature : public Feature {
 };
 
 }  // namespace
+
+const char* no_comparison_reason(const Document& document) {
+  const UndoStack& history = document.history();
+  if (document.world().live_faces() > Document::kMaxFacesToCopy)
+    return "Too large to compare (more than 400 000 faces)";
+  if (history.last_cut() && *history.last_cut() + 1 != history.position())
+    return "Undo later changes to compare the last cut";
+  return "The undo data of the last cut were discarded";
+}
 
 void TwinCut::begin(Document& first, const Resolution& resolution) {
   std::optional<World> world = world_to_cut(first);

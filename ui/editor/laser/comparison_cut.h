@@ -18,7 +18,7 @@ class TwinCut {
   Result<StepResult> step(size_t moves) { return document_.step(moves); }
   size_t waiting() const { return document_.waiting(); }
 
-  // Returns false if the document is too large to copy.
+  // Returns false if the world before the stroke cannot be copied (see no_comparison_reason()).
   bool there() const { return there_; }
   const World& world() const { return document_.world(); }
   // Returns the number of faces that the stroke has created so far.
@@ -40,5 +40,9 @@ class TwinCut {
   size_t revision_ = 0;  // of the document
   size_t commands_ = 0;  // of its last stroke that were queued
 };
+
+// Returns why the document has no twin, as a label. Precondition: TwinCut::there() returns false after
+// TwinCut::follow().
+const char* no_comparison_reason(const Document& document);
 
 }  // namespace kerf

@@ -20,9 +20,11 @@ bool share_radius(const UndoStack& history, size_t from, size_t to) {
 
 const char* StrokeRecut::disabled_reason() const {
   const Document& document = workspace_.session.document;
-  if (!document.history().last_cut()) return "No cut yet.";
+  const auto last_cut = document.history().last_cut();
+  if (!last_cut) return "No cut yet.";
   if (document.queue().in_stroke()) return "Finish or cancel the current cut first.";
   const StepGroups::Group* of = group();
+  if (of == nullptr && *last_cut + 1 != document.history().position()) return "Undo later changes first.";
   const bool is_kept = of == nullptr || document.history().holds_images(of->from, of->to);
   return is_kept && can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
 }

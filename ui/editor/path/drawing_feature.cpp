@@ -32,11 +32,8 @@ constexpr NumberRange kDrawingSize{1e-9, 1e9, "m"};
 class DrawingFeature : public Feature {
  public:
   explicit DrawingFeature(Workspace& workspace) : workspace_(workspace) {
-    workspace_.links.file_takers.push_back([this](const std::filesystem::path& file) {
-      if (!is_drawing_file(file)) return false;
-      waiting_ = file;
-      return true;
-    });
+    workspace_.links.file_takers.push_back(
+        {is_drawing_file, [this](const std::filesystem::path& file) { waiting_ = file; }});
   }
 
   std::vector<PanelPart> panel_parts() override {
@@ -207,7 +204,7 @@ class DrawingFeature : public Feature {
                 }},
            workspace_.settings.folder, "");
   }
-  // The drawing belongs to the document that is opened with it.
+  // A drawing dropped while a document is opened belongs to that document.
   void load_waiting() {
     if (waiting_.empty() || workspace_.opening.loader.busy()) return;
     if (const std::string why = load(std::exchange(waiting_, {})); !why.empty())

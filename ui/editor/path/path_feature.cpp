@@ -96,7 +96,7 @@ class PathFeature : public Feature {
  public:
   explicit PathFeature(Workspace& workspace) : workspace_(workspace) {
     workspace.links.file_takers.push_back(
-        [this](const std::filesystem::path& file) { return take_file(file); });
+        {accepts, [this](const std::filesystem::path& file) { waiting_.push_back(file); }});
   }
 
   std::vector<PanelPart> panel_parts() override {
@@ -238,10 +238,8 @@ class PathFeature : public Feature {
     keep();
   }
   // Accepts path files that are dropped on the window, opened by the menu, or named on the command line.
-  bool take_file(const std::filesystem::path& file) {
-    if (!is_path_file(file) && job_kind(file) != JobFile::Kind::kProgram) return false;
-    waiting_.push_back(file);
-    return true;
+  static bool accepts(const std::filesystem::path& file) {
+    return is_path_file(file) || job_kind(file) == JobFile::Kind::kProgram;
   }
   // Reads a path file, or a program, whose beam points down and whose lengths are true in the unit of the
   // document.
@@ -301,7 +299,7 @@ class PathFeature : public Feature {
     if (saved) path_.record_file(file);
     workspace_.message.show(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());
   }
-  // The path belongs to the document that is opened with it.
+  // A path dropped while a document is opened belongs to that document.
   void load_waiting() {
     if (workspace_.opening.loader.busy()) return;
     for (const std::filesystem::path& file : std::exchange(waiting_, {})) {

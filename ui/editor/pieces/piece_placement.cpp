@@ -10,6 +10,7 @@
 #include "core/base/deterministic_math.h"
 #include "core/document/extract.h"
 #include "ui/editor/shared/feature.h"
+#include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport_pointer.h"
@@ -578,17 +579,24 @@ class TransformFeature : public Feature {
   void confirm() {
     if (const auto command = moving_.confirm()) workspace_.changes.enqueue(*command);
   }
-  // Cancelling the move of a copy undoes the copy.
+  // Cancelling the move of a copy undoes the copy, and time that has passed since.
   void cancel_move() {
-    if (moves_copy_)
-      workspace_.changes.enqueue("Undo", [this] { workspace_.changes.step_through_history(true); });
+    if (moves_copy_) workspace_.changes.enqueue("Undo", [this] { undo_copy(); });
     moving_.end();
+  }
+  void undo_copy() {
+    cancel_stroke(workspace_);
+    const UndoStack& history = workspace_.session.document.history();
+    if (history.position() <= before_copy_) return;
+    const std::string did = "Undo: " + step_words(history, before_copy_, workspace_.view.frame.unit);
+    workspace_.changes.travel_to(before_copy_, did, did);
   }
   // The piece may have been hidden, and so deselected, since the request.
   void duplicate() {
     const auto piece = first_selected(workspace_.view.look.pieces);
     if (!piece) return;
     newest_before_copy_ = workspace_.world().ids().back();
+    before_copy_ = workspace_.session.document.history().position();
     workspace_.changes.apply(DuplicatePiece{*piece, workspace_.world().body(piece->body).placement});
   }
   // Selects the requested copy, if it exists, and begins to move it.
@@ -610,6 +618,7 @@ class TransformFeature : public Feature {
   Moving moving_{workspace_.view};
   bool moves_copy_ = false;                   // the piece is a copy made for the move
   std::optional<BodyId> newest_before_copy_;  // newest body when the copy was requested
+  size_t before_copy_ = 0;                    // position of the history, likewise
   PlacementRows placement_;
 };
 

@@ -3,7 +3,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -254,11 +253,10 @@ float width_of_switches() { return 2 * ImGui::GetTextLineHeight() + kBetween * I
 
 void PiecesList::begin_rename(const PieceRow& row) {
   renamed_ = row.id;
-  old_name_ = row.name;
   take_focus_ = field_drawn_ = true;
   unseen_frames_ = 0;
-  new_name_.fill('\0');
-  std::memcpy(new_name_.data(), row.name.data(), std::min(row.name.size(), new_name_.size() - 1));
+  fill_field(new_name_, row.name);
+  old_name_ = new_name_.data();
 }
 
 void PiecesList::begin_asked_rename(const SortedPieces& sorted) {

@@ -78,7 +78,7 @@ class PiecesList {
   std::optional<PieceId> asked_;
   bool specks_unfolded_ = false;
   std::optional<PieceId> renamed_;    // piece whose name is edited
-  std::string old_name_;              // of that piece
+  std::string old_name_;              // of that piece, as the field shows it first
   bool take_focus_ = false;           // the field is new
   bool field_drawn_ = false;          // in this frame
   int unseen_frames_ = 0;             // for which the field stayed out of view

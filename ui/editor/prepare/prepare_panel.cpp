@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
@@ -505,6 +506,9 @@ class PrepareFeature : public Feature {
   void after_queue(double) override {
     const bool seen = workspace_.settings.prepare_preview &&
                       workspace_.services.panels.shows(kPreparePanel) && world_rests();
+    // A shot of the emitter may begin and end within a frame, without any other sign of a change.
+    const size_t revision = workspace_.session.document.revision();
+    if (std::exchange(revision_, revision) != revision) preview_.drop();
     const std::vector<PieceRow> pieces = seen ? this->pieces() : std::vector<PieceRow>();
     const Preparation preparation = with_numbers(preparation_, pieces, workspace_.world());
     if (!seen || preview_disabled_reason(workspace_.world(), pieces, preparation) != nullptr) {
@@ -583,6 +587,7 @@ class PrepareFeature : public Feature {
   Preparation preparation_;
   PreparePanel panel_;
   LivePreview preview_;
+  size_t revision_ = 0;  // of the document, in the last frame
 };
 
 }  // namespace

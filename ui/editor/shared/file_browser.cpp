@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -60,10 +59,7 @@ bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
   return entry.name.ends_with(b.request.listed);
 }
 
-void set_name(FileBrowser& b, const std::string& text) {
-  b.name.fill('\0');
-  std::memcpy(b.name.data(), text.data(), std::min(text.size(), b.name.size() - 1));
-}
+void set_name(FileBrowser& b, const std::string& text) { fill_field(b.name, text); }
 
 void enter_folder(FileBrowser& b, const fs::path& folder) {
   std::error_code error;

@@ -14,12 +14,21 @@ const char* Workspace::time_disabled_reason() const {
   return world().live_faces() == 0 ? "The scene is empty: open a file, or undo." : nullptr;
 }
 
-std::vector<std::filesystem::path> FeatureLinks::not_taken(std::vector<std::filesystem::path> files) const {
-  std::erase_if(files, [this](const std::filesystem::path& file) {
-    return std::any_of(file_takers.begin(), file_takers.end(),
-                       [&](const auto& takes) { return takes(file); });
+std::vector<std::filesystem::path> FeatureLinks::extract_accepted(
+    std::vector<std::filesystem::path>& files) const {
+  const auto accepted = std::stable_partition(files.begin(), files.end(), [this](const auto& file) {
+    return std::ranges::none_of(file_takers, [&](const FileTaker& taker) { return taker.accepts(file); });
   });
-  return files;
+  std::vector<std::filesystem::path> extracted(accepted, files.end());
+  files.erase(accepted, files.end());
+  return extracted;
+}
+
+void FeatureLinks::take(const std::vector<std::filesystem::path>& files) const {
+  for (const std::filesystem::path& file : files) {
+    const auto taker = std::ranges::find_if(file_takers, [&](const FileTaker& t) { return t.accepts(file); });
+    if (taker != file_takers.end()) taker->take(file);
+  }
 }
 
 bool cancel_stroke(Workspace& workspace) {

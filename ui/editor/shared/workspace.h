@@ -76,8 +76,12 @@ struct FeatureLinks {
   std::vector<std::function<const char*()>> time_holds;
   // Returns true if the next step of the document waits for the user.
   std::function<bool()> holds_back = [] { return false; };
-  // Handlers of features for files of their own type; each returns true if it takes a file.
-  std::vector<std::function<bool(const std::filesystem::path&)>> file_takers;
+  // Handlers of features for files of their own type.
+  struct FileTaker {
+    std::function<bool(const std::filesystem::path&)> accepts;
+    std::function<void(const std::filesystem::path&)> take;
+  };
+  std::vector<FileTaker> file_takers;
   // Opens files in place of the open document, as bodies of one scene. Set by files_feature().
   std::function<void(std::vector<std::filesystem::path>)> open;
   // Called after another document was opened.
@@ -86,8 +90,10 @@ struct FeatureLinks {
   std::function<void()> quit;
   Leaves leaves = Leaves::kNot;
 
-  // Returns the files that no feature takes.
-  std::vector<std::filesystem::path> not_taken(std::vector<std::filesystem::path> files) const;
+  // Removes the files that a feature accepts, and returns them.
+  std::vector<std::filesystem::path> extract_accepted(std::vector<std::filesystem::path>& files) const;
+  // Passes each file to the feature that accepts it, if any.
+  void take(const std::vector<std::filesystem::path>& files) const;
 };
 
 // Returns true while a stroke is drawn by hand or is still being cut.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
@@ -149,7 +150,8 @@ class EditorScreen : public Screen {
   DeferredPress deferred_press_;
   ChangeThread thread_;  // while it is busy the document is not accessed
   BusyWindow busy_;
-  std::string title_;                    // of the window
+  std::vector<std::filesystem::path> deferred_drops_;  // files dropped while the thread is busy
+  std::string title_;                                  // of the window
   std::optional<double> statistics_at_;  // s, last update of the statistics; nullopt: they are outdated
   bool easing_ = false;                  // of the camera
   bool busy_frame_ = false;              // the last frame showed the busy window

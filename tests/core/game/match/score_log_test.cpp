@@ -95,6 +95,19 @@ TEST(ScoreLog, the_best_moment_is_the_last_one_without_points) {
   EXPECT_EQ(best->from, 300u);
 }
 
+TEST(ScoreLog, points_before_the_first_tick_of_a_wave_belong_to_no_moment) {
+  Match match({test::flat_rules(0, 0), 1, Difficulty::kEasy});
+  auto& events = const_cast<std::vector<Event>&>(match.events());
+  events.assign(1, {.kind = Event::Kind::kCut, .vehicle = 1, .points = 10});
+  ScoreLog log;
+  log.on_tick(match);
+  match.tick({});
+  log.on_tick(match);
+  const auto best = log.best();
+  ASSERT_TRUE(best);
+  EXPECT_EQ(best->points, 0);
+}
+
 TEST(ScoreLog, a_cancelled_search_returns_no_match) {
   const MatchSetup setup = duel(1);
   const std::vector<Controls> controls(10);

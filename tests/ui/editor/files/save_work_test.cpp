@@ -6,7 +6,10 @@
 
 #include "core/document/journal.h"
 #include "core/document/save.h"
+#include "tests/support/environment.h"
+#include "tests/support/game_files.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/editor/editor.h"
 
 namespace kerf {
 namespace {
@@ -104,6 +107,29 @@ TEST_F(SaveWork, a_scene_stores_everything_but_the_cuts_and_reports_it) {
   EXPECT_TRUE(open_file(folder_ / "mine.json").ok());
 }
 
+TEST_F(SaveWork, a_scene_saved_from_a_journal_leaves_the_journal_unsaved) {
+  cut();
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  view_.look.lights.front().intensity *= 2;
+  EXPECT_FALSE(save(folder_ / "mine.json"));
+  EXPECT_EQ(message_.text.find("without the cuts"), std::string::npos) << "they are in mine.kerf";
+  EXPECT_EQ(title(), "mine.kerf* - Kerf");
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  EXPECT_EQ(title(), "mine.kerf - Kerf");
+}
+
+TEST_F(SaveWork, ticks_after_a_save_during_a_stroke_are_unsaved) {
+  CutSettings settings;
+  settings.laser.radius = 0.05;
+  session_.document.apply(BeginStroke{settings, {{0.2, 1, 0.2}, {0, -1, 0}}});
+  session_.document.apply(AdvanceTime{1, true});
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  const size_t saved = session_.document.journal().size();
+  session_.document.apply(AdvanceTime{1, true});
+  EXPECT_EQ(session_.document.journal().size(), saved + 1);
+  EXPECT_TRUE(needs_recovery_file(session_, view_.look.lights));
+}
+
 TEST_F(SaveWork, a_failed_save_leaves_the_document_unsaved) {
   cut();
   EXPECT_FALSE(save(folder_.path() / "no" / "mine.kerf"));
@@ -174,6 +200,18 @@ TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   EXPECT_EQ(take_decision(decisions_, left_work_), Decision::kNone);
   EXPECT_TRUE(left_work_.empty());
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
+}
+
+TEST(SaveMatchAsScene, keeps_the_meshes_of_earlier_scenes) {
+  const TemporaryFolder folder;
+  const test::EnvironmentVariable state("XDG_STATE_HOME", folder.path().c_str());
+  const Match match({test::flat_rules(0, 0), 1, Difficulty::kEasy});
+  const auto first = save_match_as_scene(match, {{0, 5, 5}, {}}),
+             second = save_match_as_scene(match, {{0, 5, 5}, {}});
+  ASSERT_TRUE(first.ok() && second.ok());
+  EXPECT_NE(first->parent_path(), second->parent_path());
+  EXPECT_TRUE(open_file(*first).ok());
+  EXPECT_TRUE(open_file(*second).ok());
 }
 
 TEST(AutosaveWords, state_the_age_in_coarse_steps) {

@@ -48,6 +48,16 @@ TEST_F(Watched, a_new_time_or_size_is_a_change_until_it_is_recorded) {
   EXPECT_EQ(changed(), Paths());
 }
 
+TEST_F(Watched, a_mesh_with_another_content_does_not_fit_a_journal) {
+  DocumentSession session;
+  session.scene.bodies = {body_of_file(a_), body_of_file(b_)};
+  ASSERT_TRUE(record_hashes(session.scene).ok());
+  EXPECT_EQ(mismatched_mesh(session, {a_, b_}), std::nullopt);
+  write_text(b_, "other");
+  EXPECT_EQ(mismatched_mesh(session, {a_}), std::nullopt);
+  EXPECT_EQ(mismatched_mesh(session, {a_, b_}), b_);
+}
+
 TEST_F(Watched, a_file_counts_once_it_stays_the_same) {
   for (int i = 1; i <= 3; ++i) {
     touch(a_, i);

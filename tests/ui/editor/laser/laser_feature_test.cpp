@@ -32,6 +32,10 @@ TEST(LaserFeature, recomputes_the_last_stroke_or_reports_why_not) {
   workspace.session.document.apply(EndStroke{});
   while (workspace.session.document.waiting() > 0) ASSERT_TRUE(workspace.session.document.step(8).ok());
   EXPECT_EQ(recut_disabled_reason(*laser), nullptr);
+  workspace.session.document.apply(RenamePiece{{workspace.world().ids().front(), 0}, "ball"});
+  EXPECT_STREQ(recut_disabled_reason(*laser), "Undo later changes first.");
+  workspace.session.document.apply(Undo{});
+  EXPECT_EQ(recut_disabled_reason(*laser), nullptr);
 }
 
 TEST(LaserFeature, esc_stops_a_stroke_while_moves_are_queued) {

@@ -71,6 +71,17 @@ TEST_F(TwinCutTest, differs_only_in_the_last_stroke) {
   EXPECT_EQ(state_hash(twin.world()), state_hash(first.world()));
 }
 
+TEST_F(TwinCutTest, a_change_after_the_last_stroke_must_be_undone_before_a_comparison) {
+  draw_stroke(0);
+  ASSERT_TRUE(first.apply(RenamePiece{{first.world().ids().front(), 0}, "ball"}).ok());
+  EXPECT_TRUE(twin.follow(first, fine));
+  EXPECT_FALSE(twin.there());
+  EXPECT_STREQ(no_comparison_reason(first), "Undo later changes to compare the last cut");
+  first.apply(Undo{});
+  EXPECT_TRUE(twin.follow(first, fine));
+  EXPECT_TRUE(twin.there());
+}
+
 TEST_F(TwinCutTest, restarts_for_another_document) {
   draw_stroke(0);
   twin.follow(first, coarse);

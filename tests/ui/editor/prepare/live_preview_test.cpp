@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/shared/feature.h"
+#include "ui/editor/shared/workspace.h"
 
 namespace kerf::test {
 namespace {
@@ -75,6 +77,28 @@ TEST_F(LivePreviewTest, is_recomputed_for_another_world_after_being_discarded) {
   pieces_ = pieces_to_prepare(world_, {});
   settle({.tool = Tool::kSubdivide});
   EXPECT_EQ(preview_.shown()->after.faces, 4 * world_.live_faces());
+}
+
+TEST_F(LivePreviewTest, follows_a_stroke_that_is_cut_within_a_frame) {
+  Workspace workspace;
+  workspace.session.document = Document(std::move(world_));
+  workspace.screen.background_wait = kLong;
+  workspace.services.panels.add("prepare", Tab::kMesh, Dock::kWindow, true);
+  const auto prepare = prepare_feature(workspace);
+  prepare->after_queue(0);
+  const auto before = workspace.view.look.wire;
+  ASSERT_NE(before, nullptr);
+  prepare->after_queue(0);
+  EXPECT_EQ(workspace.view.look.wire, before);
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  Document& document = workspace.session.document;
+  document.apply(BeginStroke{settings, {{0, 0, 5}, {0, 0, -1}}});
+  document.apply(EndStroke{});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+  prepare->after_queue(0);
+  ASSERT_NE(workspace.view.look.wire, nullptr);
+  EXPECT_NE(workspace.view.look.wire, before);
 }
 
 }  // namespace

@@ -133,6 +133,10 @@ class ReplayRun {
 
   Status run_match() const {
     if (!arguments_.out.empty()) return bad_input("--out: not available for matches");
+    if (!arguments_.picture.show.empty()) return bad_input("--show: not available for matches");
+    if (!arguments_.picture.section.empty()) return bad_input("--section: not available for matches");
+    if (arguments_.picture.eye.empty() != arguments_.picture.target.empty())
+      return bad_input("--eye and --target: give both for matches");
     std::optional<MatchFilm::Options> film;
     if (!arguments_.frames.empty()) {
       const auto picture = arguments_.picture.parse();

@@ -148,6 +148,10 @@ class PlayRun {
   Status check() {
     if (!arguments_.driver.empty() && arguments_.driver != "bot" && arguments_.driver != "still")
       return bad_input("--driver: must be \"bot\" or \"still\"");
+    if (!arguments_.headless && arguments_.driver == "still")
+      return bad_input("--driver: \"still\" requires --headless");
+    if (arguments_.headless && !arguments_.size.empty())
+      return bad_input("--size: cannot be combined with --headless");
     const auto difficulty =
         parse_difficulty(arguments_.difficulty.empty() ? "normal" : arguments_.difficulty);
     if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");
@@ -232,8 +236,11 @@ class PlayRun {
     ProgressLine line("playing");
     const double seconds = arguments_.seconds > 0 ? arguments_.seconds : match.seconds_left();
     const auto ticks = static_cast<Ticks>(std::ceil(seconds * kTicksPerSecond));
+    // The time of a match may end in a pause, after which it is over.
+    constexpr Ticks kPause = 60 * kTicksPerSecond;
+    const Ticks most = arguments_.seconds > 0 ? ticks : ticks + kPause;
     BotPlayer bot(match);
-    for (Ticks t = 0; t < ticks && !match.standing().over(); ++t) {
+    for (Ticks t = 0; t < most && !match.standing().over(); ++t) {
       if (interrupted()) return stopped();
       if (t % kTicksPerSecond == 0) line.update(static_cast<double>(t) / static_cast<double>(ticks));
       const auto began = Clock::now();

@@ -56,7 +56,7 @@ void begin_with_capital(std::string& text) {
 }
 
 constexpr double kAhead = 14, kReached = 3;  // m, destination ahead, and radius in which it counts as reached
-constexpr size_t kEnough = 60;               // faces, of a drum that is not cut in two
+constexpr double kEnough = 0.3;              // kg, of a drum that is not cut in two
 
 // The place of a body: the middle of its remaining part.
 Vec3 place_of(const Match& match, BodyId id) { return middle_of(match.world().body(id)); }
@@ -235,9 +235,9 @@ bool Lesson::is_done(const Match& match) {
       return glm::distance(match.world().body(own.chassis).placement.position, place_) < kReached;
     case Step::kDrum:
       for (const Event& e : match.events()) {
-        if (e.kind == Event::Kind::kCut && e.body == drum_) drum_faces_ += static_cast<size_t>(e.size);
+        if (e.kind == Event::Kind::kCut && e.body == drum_) drum_removed_ += e.size;
       }
-      return !drum_.valid() || !match.world().contains(drum_) || drum_faces_ > kEnough ||
+      return !drum_.valid() || !match.world().contains(drum_) || drum_removed_ > kEnough ||
              std::ranges::any_of(match.delta().detached, [&](const Detached& d) { return d.from == drum_; });
     case Step::kWheel:
       return std::ranges::any_of(match.events(), [](const Event& e) {

@@ -95,7 +95,7 @@ class Lesson {
   Step step_ = Step::kDrive;
   Vec3 place_{0};          // m, destination of the drive
   BodyId drum_;            // invalid if there is nothing to cut
-  size_t drum_faces_ = 0;  // faces cut out of the drum
+  double drum_removed_ = 0;  // kg, cut out of the drum
 };
 
 // Formats seconds as "2:05"; negative ones as 0:00.

@@ -49,8 +49,8 @@ Status read_size(const JsonValue& value, Vec2& size) {
   const auto two = value.pair();
   if (!two) return two.error();
   size = {two->low, two->high};
-  if (glm::min(size.x, size.y) < 10 || glm::max(size.x, size.y) > 10'000)
-    return value.wrong("must be from 10 to 10000 m");
+  if (glm::min(size.x, size.y) < 10 || glm::max(size.x, size.y) > 1000)
+    return value.wrong("must be from 10 to 1000 m");
   return Done{};
 }
 
@@ -68,22 +68,31 @@ constexpr double kMargin = 3;   // m, at the edge of the arena
 constexpr double kSampling = 0.25;   // m, between points of faces
 constexpr double kFloorless = 0.02;  // m, above the ground: lower faces are painted on it
 
-// Calls visit(point) for closely spaced points of a triangle.
+bool is_over(const Triangle& t, const Vec2& half) {
+  const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
+  return high.x > -half.x && low.x < half.x && high.z > -half.y && low.z < half.y;
+}
+
+// Calls visit(point) for closely spaced points of a triangle. Of a very large one, takes the parts over the
+// arena.
 template <typename Visit>
-void sample(const Triangle& t, Visit visit) {
+void sample(const Triangle& t, const Vec2& half, Visit visit) {
+  constexpr double kLarge = 1000;  // m
   const double longest =
       std::max({glm::distance(t[0], t[1]), glm::distance(t[1], t[2]), glm::distance(t[2], t[0])});
+  if (longest > kLarge) {
+    const Vec3 a = 0.5 * (t[0] + t[1]), b = 0.5 * (t[1] + t[2]), c = 0.5 * (t[2] + t[0]);
+    for (const Triangle& part : {Triangle{t[0], a, c}, {a, t[1], b}, {c, b, t[2]}, {a, b, c}}) {
+      if (is_over(part, half)) sample(part, half, visit);
+    }
+    return;
+  }
   const int n = 1 + static_cast<int>(longest / kSampling);
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; i + j <= n; ++j)
       visit(t[0] + (static_cast<double>(i) / n) * (t[1] - t[0]) +
             (static_cast<double>(j) / n) * (t[2] - t[0]));
   }
-}
-
-bool is_over(const Triangle& t, const Vec2& half) {
-  const Vec3 low = glm::min(glm::min(t[0], t[1]), t[2]), high = glm::max(glm::max(t[0], t[1]), t[2]);
-  return high.x > -half.x && low.x < half.x && high.z > -half.y && low.z < half.y;
 }
 
 }  // namespace
@@ -245,7 +254,7 @@ void FreeSpace::find_upper_floor(const std::vector<Triangle>& faces) {
   heights_.assign(cells(), ground_);
   for (const Triangle& t : faces) {
     if (!is_drivable(t)) continue;
-    sample(t, [&](const Vec3& p) {
+    sample(t, half_, [&](const Vec3& p) {
       if (p.y > ground_ + kHighest || p.y < ground_ + kFloorless) return;
       double& height = heights_[spot_of(column(p.x), row(p.z), false)];
       height = std::max(height, p.y);
@@ -255,7 +264,7 @@ void FreeSpace::find_upper_floor(const std::vector<Triangle>& faces) {
 
 void FreeSpace::find_blocked(const std::vector<Triangle>& faces, std::vector<bool>& blocked) const {
   for (const Triangle& t : faces) {
-    sample(t, [&](const Vec3& p) {
+    sample(t, half_, [&](const Vec3& p) {
       if (std::abs(p.x) > half_.x || std::abs(p.z) > half_.y) return;
       const Spot lower = spot_of(column(p.x), row(p.z), false), upper = lower + cells();
       const auto in_the_way = [&](double floor) { return p.y > floor + kBump && p.y < floor + kRoof; };
@@ -320,8 +329,10 @@ void FreeSpace::measure(const std::vector<bool>& blocked) {
 }
 
 void FreeSpace::forget_unreachable(const Vec3& start) {
+  const Spot first = with_room_near(start, kFar);
+  if (first == spots()) return;
   std::vector<bool> reached(spots(), false);
-  std::vector<Spot> open{with_room_near(start, kFar)};
+  std::vector<Spot> open{first};
   while (!open.empty()) {
     const Spot spot = open.back();
     open.pop_back();

@@ -34,7 +34,7 @@ void Aiming::select_part(const Vehicle& opponent) {
   for (size_t i = 0; i < opponent.wheels.size(); ++i) {
     if (opponent.wheels[i].attached) other.push_back(model.description.wheels[i].hub);
   }
-  const bool at_vital = other.empty() || (random_.unit() < skill_.vital && !vital.empty());
+  const bool at_vital = other.empty() ? skill_.vital > 0 : random_.unit() < skill_.vital && !vital.empty();
   const std::vector<Vec3>& parts = at_vital ? vital : other;
   part_ = parts.empty() ? Vec3(0, 0.6, 0) : parts[random_.below(parts.size())];
   upright_ = random_.unit() < 0.5;

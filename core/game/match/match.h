@@ -141,6 +141,7 @@ class Match {
   void pop_off_lost(size_t vehicle, const Damage& damage);
   void recover();
   void armour_player();
+  double armour_of_player() const;
   void offer_loot();
   void take_loot();
   bool use_loot(const LootPart& part);

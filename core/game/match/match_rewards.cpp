@@ -21,10 +21,13 @@ size_t index_of(Upgrade upgrade) { return static_cast<size_t>(upgrade) - 1; }
 }  // namespace
 
 // The upgrade of the car holds for each of its cars.
-void Match::armour_player() {
-  const double least = rules().skill(setup_.difficulty).min_vital;
-  const bool armoured = standing().upgrades[index_of(Upgrade::kArmour)] > 0;
-  vehicles_[kPlayer].min_vital = armoured ? kArmoured * least : least;
+void Match::armour_player() { vehicles_[kPlayer].min_vital = armour_of_player(); }
+
+// Returns EnemySkill::min_vital, less with each upgrade.
+double Match::armour_of_player() const {
+  double least = rules().skill(setup_.difficulty).min_vital;
+  for (uint8_t n = 0; n < standing().upgrades[index_of(Upgrade::kArmour)]; ++n) least *= kArmoured;
+  return least;
 }
 
 void Match::offer_loot() {
@@ -81,7 +84,7 @@ bool Match::use_loot(const LootPart& part) {
     case Loot::kLaser:
       return own.gun.works() && !std::exchange(own.gun.twin, true);
     case Loot::kPlate: {
-      const double armoured = kArmoured * rules().skill(setup_.difficulty).min_vital;
+      const double armoured = kArmoured * armour_of_player();
       return std::exchange(own.min_vital, armoured) > armoured;
     }
   }

@@ -111,8 +111,14 @@ std::optional<size_t> MatchWorld::of_arena(BodyId body) const {
 }
 
 void MatchWorld::make_colliders(std::span<const BodyId> carried) {
-  joint_faces_ = JointFaces(world_.joints());
+  find_joints();
   physics_.prepare(world_, carried);
+}
+
+// Vehicles that are spawned and wheels that are replaced bring joints.
+void MatchWorld::find_joints() {
+  joint_faces_ = JointFaces(world_.joints());
+  known_joints_ = world_.joints().all.size();
 }
 
 void MatchWorld::begin_tick(Ticks now) {
@@ -176,7 +182,10 @@ Delta MatchWorld::delta_for_physics(const Delta& change) const {
 
 void MatchWorld::follow(Delta change) {
   if (change.empty()) return;
-  KERF_ASSERT(!change.replaced);
+  if (world_.joints().all.size() != known_joints_) {
+    find_joints();
+    physics_.forget_joints();
+  }
   forget_contacts(world_, change);
   stale_colliders_.note(change, now_);
   for (const BodyDelta& b : change.bodies)

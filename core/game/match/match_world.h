@@ -98,6 +98,7 @@ class MatchWorld {
   void cool();
 
  private:
+  void find_joints();
   Delta delta_for_physics(const Delta& change) const;
   bool hangs(BodyId body, std::span<const HeldJoint> held) const;
   std::vector<Detached> detach_hanging(std::vector<Detached> detached);
@@ -107,6 +108,7 @@ class MatchWorld {
   Ticks now_ = 0;
   StaleColliders stale_colliders_;
   JointFaces joint_faces_;
+  size_t known_joints_ = 0;        // of the world, in `joint_faces_`
   bool joints_requested_ = false;  // faces that carry joints were removed; the physics is not updated yet
   bool hinges_requested_ = false;  // the physics is updated, but `hanging_` is not
   std::vector<Detached> hanging_;  // pieces that turn on hinges of the bodies from which they were detached

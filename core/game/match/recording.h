@@ -15,7 +15,7 @@ namespace kerf {
 
 // The format of recordings: incremented when other versions of Kerf cannot read them, or when equal inputs
 // lead to another world than before. Older formats are not read.
-inline constexpr uint64_t kRecordingFormat = 3;
+inline constexpr uint64_t kRecordingFormat = 4;
 
 // Maximum seed and duration [s] of a recorded match.
 inline constexpr uint64_t kMaxSeed = 1'000'000'000'000'000;

@@ -291,7 +291,7 @@ void Tally::record_piece(const Detached& piece, const Body& body, size_t victim,
 bool Tally::takes_assessment(size_t vehicle) { return std::exchange(records_[vehicle].changed, false); }
 
 void Tally::record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
-  const Record& record = records_[index];
+  Record& record = records_[index];
   Event event{Event::Kind::kWheelLost, index, record.last_cut_by};
   const auto lost = [&](Event::Kind kind, BodyId body, size_t part, double points) {
     event.kind = kind;
@@ -306,9 +306,9 @@ void Tally::record_damage(const World& world, size_t index, const Vehicle& vehic
       lost(Event::Kind::kCleanPart, vehicle.wheels[w].body, w, scores_->clean);
     standing_.wheels_lost += index == kPlayer;
   }
-  if (damage.turret) lost(Event::Kind::kTurretLost, vehicle.gun.turret, 0, scores_->turret);
-  if (damage.barrel)
-    lost(Event::Kind::kBarrelLost, vehicle.gun.barrel, 0, damage.turret ? 0 : scores_->turret);
+  const auto score_of_laser = [&] { return std::exchange(record.disarmed, true) ? 0 : scores_->turret; };
+  if (damage.turret) lost(Event::Kind::kTurretLost, vehicle.gun.turret, 0, score_of_laser());
+  if (damage.barrel) lost(Event::Kind::kBarrelLost, vehicle.gun.barrel, 0, score_of_laser());
   for (const size_t part : damage.vitals) {
     const bool engine = vehicle.what().vitals[part].kind == VitalDescription::Kind::kEngine;
     lost(Event::Kind::kVitalLost, vehicle.chassis, part, engine ? scores_->engine : scores_->driver);

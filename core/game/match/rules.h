@@ -238,6 +238,7 @@ class Tally {
   struct Record {
     size_t last_cut_by = Event::kNobody;
     size_t first_stroke = 0;  // of the player that cut it, from 1; 0 if none did
+    bool disarmed = false;    // its laser or barrel was scored
     bool changed = false;     // faces of it changed, or a piece came off, since the last assessment
   };
   // A part that the player cut off an enemy.

@@ -103,6 +103,11 @@ class ModelLoader {
   // damage hold the parts that the chassis carries.
   Status share_out_joints() {
     for (const JointDescription& joint : what().body.joints) {
+      for (const std::string& part : joint.parts) {
+        const auto has_part = [&](const VehicleBody* body) { return has_group(body->body, part); };
+        if (std::ranges::none_of(bodies_, has_part))
+          return wrong("a joint names the part \"" + part + "\", which the mesh lacks");
+      }
       for (VehicleBody* body : bodies_) {
         if (!has_group(body->body, joint.parts[0]) || !has_group(body->body, joint.parts[1])) continue;
         if (const Status added = add_joints({&joint, 1}, *body); !added) return wrong(added.error().message);

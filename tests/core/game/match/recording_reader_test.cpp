@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 const std::string kHead =
-    R"({"kerf":"match","format":3,"program":"0.2.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
+    R"({"kerf":"match","format":4,"program":"0.2.0","rules":"rules.json","files":"0123456789abcdef","seed":7,)"
     R"("difficulty":"hard"})";
 const std::string kInputs = R"({"inputs":[[2,100,-5,0,1,30,-200,17]]})";
 
@@ -97,12 +97,12 @@ TEST_F(RecordingFile, rejects_an_invalid_header) {
   EXPECT_TRUE(refused("abcdef", "abcdxf"));
   EXPECT_TRUE(refused("\"hard\"", "\"lethal\""));
   EXPECT_TRUE(refused(",\"seed\":7", ""));
-  EXPECT_TRUE(refused("\"format\":3", "\"format\":" + std::to_string(kRecordingFormat + 1)));
+  EXPECT_TRUE(refused("\"format\":4", "\"format\":" + std::to_string(kRecordingFormat + 1)));
   EXPECT_FALSE(read(""));
 }
 
 TEST_F(RecordingFile, rejects_files_of_older_formats_and_without_one) {
-  const std::string format = R"("format":3,"program":"0.2.0")";
+  const std::string format = R"("format":4,"program":"0.2.0")";
   for (const char* const older : {R"("version":5)", R"("format":1,"program":"0.2.0")"}) {
     std::string head = kHead;
     head.replace(head.find(format), format.size(), older);

@@ -115,7 +115,7 @@ TEST(History, pieces_that_a_new_material_detaches_are_cut_with_their_body) {
   along.keys = {{0, {-1, 1, 0.5}, {0, -1, 0}}, {1, {2, 1, 0.5}, {0, -1, 0}}};
   CutSettings settings;
   settings.bodies = {body};
-  settings.material = "aluminium";
+  settings.material = "copper";
   world.cut(along, settings);
   EXPECT_EQ(world.pieces().size(), 4u);
 }

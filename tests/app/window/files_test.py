@@ -217,6 +217,7 @@ class Files(WindowTest):
             json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
         editor = self.open(scene)
         editor.pause(3)
+        self.assertNotIn("keep files", editor.landmarks()["parts"])
         shutil.copy(os.path.join(ASSETS, "meshes", "bracket.obj"), part)
         editor.pause(3)
         editor.click("keep files", 0.5, 0.5)

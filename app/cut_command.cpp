@@ -167,9 +167,11 @@ class CutRun {
       if (const Status free = inputs.check("--provenance", options_.provenance); !free) return free;
     }
     if (options_.journal.empty()) return Done{};
-    std::error_code error;
-    if (std::filesystem::weakly_canonical(options_.journal, error) ==
-        std::filesystem::weakly_canonical(options_.provenance, error))
+    const auto place = [](const std::string& file) {
+      std::error_code error;
+      return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    };
+    if (!options_.provenance.empty() && place(options_.journal) == place(options_.provenance))
       return bad_input("--journal: " + options_.journal + " is the file of --provenance; use another name");
     if (folder.may_write(options_.journal))
       return bad_input("--journal: " + options_.journal +

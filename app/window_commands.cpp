@@ -150,8 +150,6 @@ class PlayRun {
       return bad_input("--driver: must be \"bot\" or \"still\"");
     if (!arguments_.headless && arguments_.driver == "still")
       return bad_input("--driver: \"still\" requires --headless");
-    if (arguments_.headless && !arguments_.size.empty())
-      return bad_input("--size: cannot be combined with --headless");
     const auto difficulty =
         parse_difficulty(arguments_.difficulty.empty() ? "normal" : arguments_.difficulty);
     if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");

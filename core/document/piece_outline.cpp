@@ -24,14 +24,16 @@ class OutlineTracer {
   explicit OutlineTracer(const Extract& piece) : piece_(piece) {}
 
   std::optional<std::vector<DrawnLine>> run() {
+    double largest = 0;
+    Vec3 best(0);
     for (const Vec3& normal : normals()) {
-      set_normal(normal);
-      sort_faces();
-      if (!(piece_.volume ? is_plate() : is_flat_sheet())) continue;
-      set_axes();
-      return trace();
+      if (!is_flat_along(normal) || !(upper_area_ > largest)) continue;
+      largest = upper_area_;
+      best = normal;
     }
-    return std::nullopt;
+    if (!(largest > 0) || !is_flat_along(best)) return std::nullopt;
+    set_axes();
+    return trace();
   }
 
  private:
@@ -53,6 +55,12 @@ class OutlineTracer {
       if (std::ranges::none_of(found, is_along)) found.push_back(area / length);
     }
     return found;
+  }
+
+  bool is_flat_along(const Vec3& normal) {
+    set_normal(normal);
+    sort_faces();
+    return piece_.volume ? is_plate() : is_flat_sheet();
   }
 
   // Sets the normal, with a positive largest component.

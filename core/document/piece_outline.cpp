@@ -27,8 +27,8 @@ class OutlineTracer {
     double largest = 0;
     Vec3 best(0);
     for (const Vec3& normal : normals()) {
-      if (!is_flat_along(normal) || !(upper_area_ > largest)) continue;
-      largest = upper_area_;
+      if (!is_flat_along(normal) || !(upper_area_ + lower_area_ > largest)) continue;
+      largest = upper_area_ + lower_area_;
       best = normal;
     }
     if (!(largest > 0) || !is_flat_along(best)) return std::nullopt;

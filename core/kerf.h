@@ -654,13 +654,10 @@ class World {
 
   template <typename T, typename F>
   static std::vector<T> list_of(F function) {
-    // Another thread may change the number between two calls.
     std::vector<T> list;
-    for (size_t count = 0;;) {
+    for (size_t count = 0;; list.resize(count)) {  // another thread may change the number between two calls
       check(function(list.data(), list.size(), &count));
-      const bool is_whole = count <= list.size();
-      list.resize(count);
-      if (is_whole) return list;
+      if (count == list.size()) return list;
     }
   }
 

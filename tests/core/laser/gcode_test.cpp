@@ -134,9 +134,9 @@ TEST(Gcode, other_words_are_errors_with_line_and_column) {
             std::string::npos);
   EXPECT_NE(gcode_error("G1 X1\n").find("needs F"), std::string::npos);
   EXPECT_NE(gcode_error("G0 G1 X1\n").find("mutually exclusive"), std::string::npos);
-  EXPECT_NE(gcode_error("G1 X10 F1\nG2 X5 Y5 I100 J100\n").find("line 2, column 1: start and end of the arc"),
+  EXPECT_NE(gcode_error("G1 X10 F1\nG2 X5 Y5 I100 J100\n").find("line 2, column 1: the start and the end of the arc"),
             std::string::npos);
-  EXPECT_NE(gcode_error("G2 X5 F1 R1\n").find("R is shorter"), std::string::npos);
+  EXPECT_NE(gcode_error("G2 X5 F1 R1\n").find("R is smaller"), std::string::npos);
   EXPECT_NE(gcode_error("(no end\nG1\n").find("line 1, column 1: the comment has no ')'"), std::string::npos);
   EXPECT_NE(gcode_error("#1=5\n").find("expected a word"), std::string::npos);
   EXPECT_NE(gcode_error("").find("no words"), std::string::npos);

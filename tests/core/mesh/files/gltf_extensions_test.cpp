@@ -242,7 +242,7 @@ TEST(GltfInstances, damage_is_rejected) {
   expect_refusal("is missing", [](GltfBuilder&, json& attributes) { attributes = 7; });
   expect_refusal("which has 2", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 9; });
   expect_refusal("must be VEC4", [](GltfBuilder&, json& attributes) { attributes["ROTATION"] = 1; });
-  expect_refusal("as many values", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 0; });
+  expect_refusal("the same number of", [](GltfBuilder&, json& attributes) { attributes["SCALE"] = 0; });
   expect_refusal("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
     attributes["ROTATION"] = gltf.add("VEC4", 5126, 1, std::vector<float>{0, 0, 0, 0});
   });

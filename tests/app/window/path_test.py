@@ -252,7 +252,7 @@ class Path(WindowTest):
         editor = self.open(SPHERE)
         path = self.write_path([0.05, -0.05], 0.006)
         editor.drag(ACROSS)
-        for key, title, strokes in (("Escape", "sphere.json* - Kerf", 0), ("d", "plate.obj - Kerf", 2)):
+        for key, title, strokes in (("Escape", "sphere.json* - Kerf", 0), ("d", "plate.obj* - Kerf", 2)):
             editor.drop(mesh("plate.obj"), path)
             editor.part("question")
             editor.do(key)

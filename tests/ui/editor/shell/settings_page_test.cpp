@@ -51,7 +51,7 @@ TEST(SettingsPageKeys, a_letter_returns_to_the_search) {
 
 TEST(SettingsPageKeys, a_search_reaches_the_rows_of_all_pages) {
   Bench bench;
-  for (const char* words : {"autosave", "EDIT least time"}) {
+  for (const char* words : {"autosave", "EDIT minimum time"}) {
     bench.settings = Settings();
     bench.search(words);
     bench.press(GLFW_KEY_RIGHT);

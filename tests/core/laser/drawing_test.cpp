@@ -92,7 +92,7 @@ TEST(SvgDrawing, a_shape_equals_the_path_that_the_standard_gives_for_it) {
 TEST(SvgDrawing, relative_commands_equal_absolute_ones) {
   const Drawing drawing = svg_of(
       "<path d='M10 10 C20 10 20 20 30 20 S40 30 50 20 Q60 10 70 20 T90 20 A5 5 0 1 0 90 40 H80 V50 Z'/>"
-      "<path d='m10 10c10 0 10 10 20 10s10 10 20 0q10-10 20 0t20 0a5 5 0 1020 20h-10v10z'/>"
+      "<path d='m10 10c10 0 10 10 20 10s10 10 20 0q10-10 20 0t20 0a5 5 0 100 20h-10v10z'/>"
       "<path d='M10,10 C20,10,20,20,30,20 S40,30,50,20 Q60,10,70,20 T90,20 A5,5,0,1,0,90,40 L80,40 80,50 "
       "10,10'/>");
   ASSERT_EQ(drawing.lines.size(), 3u);

@@ -247,8 +247,8 @@ bool QueryBox::meets(const Triangle& world) const {
   const Triangle t{world[0] - centre, world[1] - centre, world[2] - centre};
   const auto separates = [&](const Vec3& axis) {
     const double reach = glm::dot(half + slack, glm::abs(axis));
-    const auto [low, high] = std::minmax({glm::dot(axis, t[0]), glm::dot(axis, t[1]), glm::dot(axis, t[2])});
-    return low > reach || high < -reach;
+    const auto [least, most] = std::minmax({glm::dot(axis, t[0]), glm::dot(axis, t[1]), glm::dot(axis, t[2])});
+    return least > reach || most < -reach;
   };
   if (separates(glm::cross(t[1] - t[0], t[2] - t[0]))) return false;
   for (int k = 0; k < 3; ++k) {

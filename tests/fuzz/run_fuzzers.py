@@ -5,8 +5,8 @@ FOLDER holds the executables fuzz_TARGET. Each runs from the saved corpus beside
 found in FOLDER/found/TARGET, until `seconds` are over or `quiet` seconds have brought no new coverage; two run at a
 time. Strokes run as long twice: short histories, some hundred a second, and long ones, a few a second, which begin from
 some of those found. Prints a line each with the number of covered edges, and where one breaks, what it said and the
-file that broke it, kept in FOLDER/findings. `--keep` adds to the saved corpora what covers more, without what others
-cover as well. Exits 1 on a finding, 77 where there is no fuzzer.
+file that broke it, kept in FOLDER/findings; the last line sums the inputs. `--keep` adds to the saved corpora what
+covers more, without what others cover as well. Exits 1 on a finding, 77 where there is no fuzzer.
 """
 import argparse
 import concurrent.futures
@@ -116,15 +116,17 @@ def main():
     arguments = parser.parse_args()
     if arguments.seconds < 1:
         parser.error('--seconds must be 1 or more')
-    if not all(os.path.exists(os.path.join(arguments.folder, 'fuzz_' + target)) for target in arguments.targets):
-        print('skipped: the fuzzers were not built, for there is no clang++ with libFuzzer')
+    missing = [name for name in arguments.targets if not os.path.exists(os.path.join(arguments.folder, 'fuzz_' + name))]
+    if missing:
+        print(f'skipped: no fuzzer {", ".join(missing)}; they are built where there is clang++ with libFuzzer')
         return 77
-    broken = 0
+    broken, inputs, edges = 0, 0, 0
     with concurrent.futures.ThreadPoolExecutor(AT_A_TIME) as pool:
         planned = list(runs_of(arguments.targets))
         results = pool.map(lambda run: fuzz(arguments.folder, *run, arguments.seconds, arguments.quiet), planned)
         for (name, target, limits), (runs, covered, broke, said) in zip(planned, results):
             ending = '1 finding' if broke else 'no finding'
+            inputs, edges = inputs + runs, edges + covered
             print(f'{name:13} {runs:12,} runs, {covered:7,} edges, {ending}', flush=True)
             if broke:
                 broken += 1
@@ -132,6 +134,7 @@ def main():
             elif arguments.keep:
                 files, size = keep(arguments.folder, name, target, limits)
                 print(f'{"":13} {files} files of {size:,} bytes are saved', flush=True)
+    print(f'{inputs:,} inputs, {edges:,} edges', flush=True)
     return 1 if broken else 0
 
 

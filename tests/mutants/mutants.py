@@ -227,13 +227,14 @@ def main():
             print(line, flush=True)
             if result == 'passed':
                 survivors.append(line)
-        killed += counts['failed'] + counts['time']
+        dead = counts['failed'] + counts['time']
+        killed += dead
         print(f'{folder}: {counts["failed"]} failed, {counts["time"]} took too long, {counts["passed"]} survived',
               flush=True)
+        print(f'proof: tests/mutants/mutants.py {folder} | {dead} of {dead + counts["passed"]} mutants killed | '
+              f'{datetime.date.today()} | {commit}', flush=True)
     print(f'{killed} of {killed + len(survivors)} mutants of seed {arguments.seed} are killed. Survivors:')
     print('\n'.join(survivors))
-    print(f'proof: tests/mutants/mutants.py | {killed} of {killed + len(survivors)} mutants killed | '
-          f'{datetime.date.today()} | {commit}')
     return 1 if survivors else 0
 
 

@@ -121,10 +121,13 @@ void describe(Fields& f, StrokePath& stroke) {
 std::string path_file_text(std::span<const StrokePath> strokes) {
   std::string text = "{\"strokes\": [";
   for (size_t i = 0; i < strokes.size(); ++i) {
-    const nlohmann::ordered_json stroke = fields_json(strokes[i], {});
-    text += (i > 0 ? ",\n  " : "\n  ") + ("{\"laser\": " + stroke["laser"].dump()) + ", \"keys\": [";
-    for (size_t k = 0; k < strokes[i].keys.size(); ++k)
-      text += (k > 0 ? ",\n    " : "\n    ") + stroke["keys"][k].dump();
+    StrokePath stroke = strokes[i];
+    const auto laser = visited_json({}, [&](Fields& f) { laser_fields(f, stroke); });
+    text += (i > 0 ? ",\n  " : "\n  ") + ("{\"laser\": " + laser.dump()) + ", \"keys\": [";
+    for (size_t k = 0; k < stroke.keys.size(); ++k) {
+      const auto key = visited_json({}, [&](Fields& f) { key_fields(f, stroke, k); });
+      text += (k > 0 ? ",\n    " : "\n    ") + key.dump();
+    }
     text += "]}";
   }
   return text + "]}\n";

@@ -67,9 +67,8 @@ class CutRun {
     if (const auto s = options_.job.add_strokes(bounds_, strokes_, job_); !s) return s;
     if (const auto s = options_.setup.fit_strokes(document_.world(), {unit_, false}, strokes_, job_); !s)
       return s;
-    options_.setup.check_nozzle(
-        document_.world(), strokes_,
-        [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); }, job_);
+    const auto line_of = [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); };
+    if (const auto s = options_.setup.check_nozzle(document_.world(), strokes_, line_of, job_); !s) return s;
     if (const auto s = begin_journal(); !s) return s;
     if (const auto s = folder.make(); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
@@ -169,7 +168,8 @@ class CutRun {
     if (options_.journal.empty()) return Done{};
     const auto place = [](const std::string& file) {
       std::error_code error;
-      return std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+      const std::filesystem::path found = std::filesystem::weakly_canonical(file, error);
+      return error ? std::filesystem::path(file) : found;
     };
     if (!options_.provenance.empty() && place(options_.journal) == place(options_.provenance))
       return bad_input("--journal: " + options_.journal + " is the file of --provenance; use another name");
@@ -225,6 +225,8 @@ class CutRun {
       const Outcome turned = document_.apply(TurnShells{{id, 0}}, &turning);
       if (!turned.ok()) return error_or_stopped(turned.error());
     }
+    if (!options_.provenance.empty() && document_.world().ids() != bodies)
+      return bad_input("--provenance: --turn-shells has turned shells; turn them first with kerf prepare");
     return Done{};
   }
 

@@ -290,8 +290,6 @@ Status check_cut_options(CutOptions o) {
     return bad_input("--target-edge, --tolerance and --depth: give only one of them");
   }
   if (o.assist == "oxygen" && o.model != "thermal") return bad_input("--assist: requires --model thermal");
-  if (o.turn_shells && !o.provenance.empty())
-    return bad_input("--provenance: cannot be combined with --turn-shells");
   if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
   if (const Status s = check_gltf_options(o); !s) return s;
   return check_solid(o);

@@ -104,11 +104,11 @@ class PathRun {
   }
 
   // From program to program, S stays as it is.
-  std::optional<double> power_at_s1000() const {
-    const bool keeps = !options_.power_at_s1000 && job_kind(options_.file) == JobFile::Kind::kProgram &&
-                       job_kind(options_.out) == JobFile::Kind::kProgram;
-    return keeps ? 1000 : options_.power_at_s1000;
+  bool keeps_power() const {
+    return !options_.power_at_s1000 && job_kind(options_.file) == JobFile::Kind::kProgram &&
+           job_kind(options_.out) == JobFile::Kind::kProgram;
   }
+  std::optional<double> power_at_s1000() const { return keeps_power() ? 1000 : options_.power_at_s1000; }
 
   Result<std::vector<StrokePath>> strokes_of(const JobFile& job) {
     const JobPlane plane = *plane_onto("-y");
@@ -148,8 +148,12 @@ class PathRun {
     for (const std::string& note : toolpath->notes) warn(options_.file + ": " + note);
     arrange_by_layers(toolpath->strokes);
     auto made = drawing_strokes(toolpath->strokes, job.drawing.middle, plane);
-    for (size_t i = 0; i < made.size() && !job.is_drawing(); ++i)
-      made[i] = with_laser_of(strokes[std::stoul(toolpath->strokes[i].layer)], std::move(made[i]));
+    std::vector<double> speeds;
+    for (const StrokePath& stroke : strokes) speeds.push_back(speed_of(stroke));
+    for (size_t i = 0; i < made.size() && !job.is_drawing(); ++i) {
+      const size_t source = std::stoul(toolpath->strokes[i].layer);
+      take_laser(strokes[source], speeds[source], made[i]);
+    }
     set_lasers(layers_, toolpath->strokes, made);
     for (StrokePath& stroke : made) stroke.radius = *radius;
     return made;
@@ -161,16 +165,29 @@ class PathRun {
     arrange_layers(layers_, lines, notes_of_reading);
   }
 
-  // Returns a stroke of kDrawingSpeed with the laser and the mean speed of another.
-  static StrokePath with_laser_of(const StrokePath& source, StrokePath stroke) {
-    const double speed = way_of(source) / duration_of(source);
-    if (std::isfinite(speed) && speed > 0) {
+  // Returns the mean speed of the beam while it moves; 0 if it does not.
+  static double speed_of(const StrokePath& stroke) {
+    double way = 0, seconds = 0;
+    for (size_t k = 1; k < stroke.keys.size(); ++k) {
+      const double length = glm::length(stroke.keys[k].origin - stroke.keys[k - 1].origin);
+      if (!(length > 0)) continue;
+      way += length;
+      seconds += stroke.times[k] - stroke.times[k - 1];
+    }
+    return seconds > 0 ? way / seconds : 0;
+  }
+
+  // Gives a stroke of kDrawingSpeed the laser of another, and its speed [m/s] if that is positive.
+  static void take_laser(const StrokePath& source, double speed, StrokePath& stroke) {
+    if (speed > 0) {
       for (double& time : stroke.times) time *= kDrawingSpeed / speed;
     }
-    StrokePath made = source;
-    made.keys = std::move(stroke.keys);
-    made.times = std::move(stroke.times);
-    return made;
+    stroke.range = source.range;
+    stroke.power = source.power;
+    stroke.wavelength = source.wavelength;
+    stroke.focus = source.focus;
+    stroke.pulse_rate = source.pulse_rate;
+    stroke.duty = source.duty;
   }
 
   Result<std::string> written(const std::vector<StrokePath>& strokes) const {
@@ -178,10 +195,16 @@ class PathRun {
       case JobFile::Kind::kSvg:
         return strokes_svg(strokes);
       case JobFile::Kind::kProgram:
-        return strokes_gcode(strokes, power_at_s1000(), post_);
+        return gcode(strokes);
       default:
         return path_file_text(strokes);
     }
+  }
+
+  Result<std::string> gcode(const std::vector<StrokePath>& strokes) const {
+    PostProcessor post = post_;
+    if (keeps_power()) post.full_power = 1000;
+    return strokes_gcode(strokes, power_at_s1000(), post);
   }
 
   std::string summary(const std::vector<StrokePath>& strokes, const JobFile& job) const {

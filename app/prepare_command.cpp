@@ -139,12 +139,18 @@ class PrepareRun {
       looks = looks_of(body(), faces, is_gltf(format) ? LookNormals::kAll : LookNormals::kSmooth);
     if (looks.any()) view.looks = &looks;
     const std::string part = part_name_of(body(), body().named_parts, faces);
-    if (body().named_parts.size() == 1) view.name = view.object = part;
+    const auto names =
+        std::ranges::count_if(body().named_parts, [](const MeshPart& p) { return !p.name.empty(); });
+    const bool holds_name = format == MeshFormat::kObj || format == MeshFormat::k3mf || is_gltf(format);
+    if (names == 1 && holds_name) view.name = view.object = part;
     if (body().looks) view.surfaces = body().looks->surfaces().get();
     SurfaceFiles surfaces(world_);
     if (format == MeshFormat::kObj && options_.out != kStream) {
       const std::filesystem::path out = options_.out;
-      if (const auto s = surfaces.write(out.parent_path(), out.stem().string() + ".mtl"); !s) return s;
+      if (const auto s = surfaces.write(out.parent_path(), out.stem().string() + ".mtl"); !s) {
+        surfaces.remove();
+        return s;
+      }
       view.mtl = surfaces.mtl_name();
       if (!view.mtl.empty()) view.material_names = surfaces.names(body());
     }
@@ -164,8 +170,8 @@ class PrepareRun {
     if (format == MeshFormat::kObj && options_.out == kStream && view.surfaces != nullptr)
       notes.emplace_back(
           "standard output holds no material library: materials keep their names only; use --format glb");
-    if (body().named_parts.size() > 1)
-      notes.push_back("the names of " + std::to_string(body().named_parts.size()) + " parts are not written");
+    if (names == 1 && !holds_name) notes.emplace_back("the name of the part is not written");
+    if (names > 1) notes.push_back("the names of " + std::to_string(names) + " parts are not written");
     for (const std::string& note : notes) warn(options_.out + ": " + note);
     return Done{};
   }

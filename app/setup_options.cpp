@@ -137,9 +137,10 @@ Status SetupOptions::fit_strokes(const World& world, const MeshReading& reading,
   return Done{};
 }
 
-void SetupOptions::check_nozzle(const World& world, const std::vector<StrokePath>& strokes,
-                                const LineOf& line_of, CutJob& job) const {
-  if (!nozzle_) return;
+Status SetupOptions::check_nozzle(const World& world, const std::vector<StrokePath>& strokes,
+                                  const LineOf& line_of, CutJob& job) const {
+  if (!nozzle_) return Done{};
+  ProgressLine progress("checking the nozzle");
   for (size_t i = 0; i < strokes.size(); ++i) {
     const std::vector<Pose>& keys = strokes[i].keys;
     for (size_t k = 0; k + 1 < std::max<size_t>(keys.size(), 2); ++k) {
@@ -148,11 +149,14 @@ void SetupOptions::check_nozzle(const World& world, const std::vector<StrokePath
       if (!is_same) job.nozzle.push_back({{i, k, line}, std::nullopt, false});
       const Pose &from = keys[k], &to = keys[std::min(k + 1, keys.size() - 1)];
       const size_t samples = samples_of(from, to, nozzle_->radius, nozzle_->length);
-      for (size_t n = 0; n <= samples; ++n)
+      for (size_t n = 0; n <= samples; ++n) {
+        if (!progress.update(static_cast<double>(i) / static_cast<double>(strokes.size()))) return stopped();
         add_pose(world, between(from, to, static_cast<double>(n) / static_cast<double>(samples)), *nozzle_,
                  job.nozzle.back());
+      }
     }
   }
+  return Done{};
 }
 
 }  // namespace kerf

@@ -29,9 +29,10 @@ struct SetupOptions {
                      CutJob& job) const;
   // Returns the line of the program that leads to a key of a stroke, if there is one.
   using LineOf = std::function<std::optional<size_t>(size_t stroke, size_t key)>;
-  // Records the standoff of the nozzle and its collisions along each segment, before anything is cut.
-  void check_nozzle(const World& world, const std::vector<StrokePath>& strokes, const LineOf& line_of,
-                    CutJob& job) const;
+  // Records the standoff of the nozzle and its collisions along each segment, before anything is cut. Returns
+  // stopped() after Ctrl-C.
+  Status check_nozzle(const World& world, const std::vector<StrokePath>& strokes, const LineOf& line_of,
+                      CutJob& job) const;
 
  private:
   std::vector<std::pair<Vec3, Vec3>> datums_;

@@ -148,8 +148,6 @@ class PlayRun {
   Status check() {
     if (!arguments_.driver.empty() && arguments_.driver != "bot" && arguments_.driver != "still")
       return bad_input("--driver: must be \"bot\" or \"still\"");
-    if (!arguments_.headless && arguments_.driver == "still")
-      return bad_input("--driver: \"still\" requires --headless");
     const auto difficulty =
         parse_difficulty(arguments_.difficulty.empty() ? "normal" : arguments_.difficulty);
     if (!difficulty) return bad_input("--difficulty: must be \"easy\", \"normal\" or \"hard\"");

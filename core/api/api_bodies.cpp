@@ -77,7 +77,8 @@ Result<kerf_body> add_body(kerf_world& world, const kerf_mesh& mesh, const kerf_
   const BodyId id = delta->created.front();
   added->slot = id.slot;
   world.added[world.document.journal().size() - 1] = std::move(*added);
-  world.record_loaded(world.document.world().body(id));
+  const Body& body = world.document.world().body(id);
+  world.record_loaded(body, body.placement);
   world.keep();
   return to_api(id);
 }

@@ -309,11 +309,12 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
   if (!settings) return settings.error();
   auto commands = stroke_commands_of(world, strokes, count, *settings);
   if (!commands) return commands.error();
-  const CutJob before = world.job;
+  CutJob before = world.job;
   const ThermalTotals thermal(world);
-  const nlohmann::ordered_json settings_before = world.settings;
+  nlohmann::ordered_json settings_before = world.settings;
   const size_t window = world.document.history().window();
   const size_t position = world.document.history().position();
+  world.kept.resize(world.document.history().size() + 1);
   const auto undone = world.kept.begin() + static_cast<std::ptrdiff_t>(position) + 1;
   std::vector kept(std::make_move_iterator(undone), std::make_move_iterator(world.kept.end()));
   world.kept.erase(undone, world.kept.end());
@@ -326,6 +327,8 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
   }
   world.document.set_window(window);
   if (done && !thrown) {
+    const bool has_undone = world.document.history().size() > world.document.history().position();
+    if (has_undone) std::ranges::move(kept, std::back_inserter(world.kept));
     kerf_cut_result result = KERF_CUT_RESULT_INIT;
     result.removed_faces = world.job.removed_faces - before.removed_faces;
     result.removed_area = world.job.removed_area - before.removed_area;
@@ -333,8 +336,8 @@ Result<kerf_cut_result> cut(kerf_world& world, const kerf_stroke* strokes, size_
     return result;
   }
   world.changes.lose();
-  world.job = before;
-  world.settings = settings_before;
+  world.job = std::move(before);
+  world.settings = std::move(settings_before);
   world.kept.resize(position + 1);
   std::ranges::move(kept, std::back_inserter(world.kept));
   if (thrown) std::rethrow_exception(thrown);

@@ -1,12 +1,14 @@
+#include <utility>
+
 #include "core/api/api_internal.h"
 #include "core/document/document.h"
 
-void kerf_world::record_loaded(const kerf::Body& body) {
+void kerf_world::record_loaded(const kerf::Body& body, const kerf::Placement& placement) {
   job.record_loaded(body.loaded);
   kerf::Bounds all = kerf::Bounds::none();
   for (int corner = 0; corner < 8; ++corner) {
     const auto at = [&](int k) { return corner >> k & 1 ? body.loaded.min[k] : body.loaded.max[k]; };
-    all.add(body.placement.to_world({at(0), at(1), at(2)}));
+    all.add(placement.to_world({at(0), at(1), at(2)}));
   }
   if (!bounds) bounds = all;
   bounds->add(all);
@@ -14,9 +16,9 @@ void kerf_world::record_loaded(const kerf::Body& body) {
 
 void kerf_world::keep() {
   kept.resize(document.history().size() + 1);
-  std::optional<Kept>& own = kept[document.history().position()];
-  own = Kept{job, settings, bounds, time_left};
-  own->job.step_s.clear();
+  std::vector<double> durations = std::exchange(job.step_s, {});
+  kept[document.history().position()] = Kept{job, settings, bounds, time_left};
+  job.step_s = std::move(durations);
 }
 
 void kerf_world::restore() {

@@ -194,7 +194,7 @@ struct kerf_world {
   }
 
   // Adds a new body to the bounds and to the report.
-  void record_loaded(const kerf::Body& body);
+  void record_loaded(const kerf::Body& body, const kerf::Placement& placement);
 
   // What follows from the steps of the history besides the document.
   struct Kept {

@@ -26,14 +26,15 @@ Status simulate(kerf_world& world, double seconds) {
     world.changes.record(document.world(), step->delta);
     return Done{};
   };
-  while (ticks > 0) {
+  Status ran = Done{};
+  while (ticks > 0 && ran) {
     const Ticks now = std::min(ticks, AdvanceTime::kMaxInALine);
     document.apply(AdvanceTime{now, true});
-    if (const Status ran = run_queue(document, run); !ran) return ran;
+    ran = run_queue(document, run);
     ticks -= now;
   }
   world.keep();
-  return Done{};
+  return ran;
 }
 
 }  // namespace

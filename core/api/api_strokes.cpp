@@ -47,6 +47,8 @@ Status begin_stroke(kerf_world& world, const kerf_stroke* stroke, const kerf_cut
 
 Status add_pose(kerf_world& world, RunningStroke& stroke, const kerf_keyframe& key) {
   if (stroke.ended) return bad_input("the stroke was ended; begin another one");
+  if (std::isfinite(key.time) && !std::isfinite(key.time - stroke.begin_time))
+    return bad_input("key: the time is too far from that of the first key");
   if (const Status added = add_key(key, "key", stroke.last); !added) return added;
   stroke.last.keys.erase(stroke.last.keys.begin());
   stroke.last.times.erase(stroke.last.times.begin());

@@ -179,6 +179,39 @@ kerf_result change_stroke(kerf_world* world, const std::function<Status(RunningS
 
 namespace {
 
+// Records the bodies that a command has added, at the places where they were added.
+void record_added(kerf_world& world, std::span<const Command> commands, size_t i, const Delta& delta) {
+  const auto* moved = i + 1 < commands.size() ? std::get_if<MovePiece>(&commands[i + 1]) : nullptr;
+  for (const BodyId id : delta.created) {
+    const Body& body = world.document.world().body(id);
+    const bool is_placed = moved != nullptr && moved->piece == PieceId{id, 0};
+    world.record_loaded(body, is_placed ? moved->to : body.placement);
+  }
+}
+
+// Executes the commands of a journal, and keeps the bounds after each for undo and redo.
+Status replay_journal(const Journal& journal, kerf_world& world, const Progress& progress) {
+  world.keep();
+  Replay replay(journal, world.document);
+  QueueRun how;
+  how.progress = &progress;
+  how.told = [&](const Result<StepResult>& step) -> Status {
+    if (!step || replay.applied() == 0) return Done{};
+    const size_t i = replay.applied() - 1;
+    const Command& command = journal.commands[i];
+    if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
+      world.restore();
+      return Done{};
+    }
+    if (std::holds_alternative<AddMesh>(command)) record_added(world, journal.commands, i, step->delta);
+    world.keep();
+    return Done{};
+  };
+  if (const Status done = replay.run(how); !done) return done;
+  world.keep();
+  return Done{};
+}
+
 Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   ProgressShares shares(&progress);
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
@@ -190,26 +223,14 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   const size_t window = document.history().window();
   document = Document(std::move(file->scene.world));
   document.set_window(window);
-  const std::vector<BodyId> first = document.world().ids();
-  for (const BodyId id : first) to.job.record_loaded(document.world().body(id).loaded);
+  for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   const double diagonal = to.bounds->diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
     if (!cut) return cut.error();
   }
-  QueueRun how;
-  how.progress = &replaying;
-  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
-  if (const Status done = Replay(file->journal, document).run(how); !done) return done;
-  for (const BodyId id : document.world().ids()) {
-    const Body& body = document.world().body(id);
-    const bool is_added = body.loaded_as == id && std::ranges::find(first, id) == first.end();
-    if (is_added) to.record_loaded(body);
-  }
-  to.keep();
-  to.kept.assign(to.kept.size(), to.kept[document.history().position()]);
-  return Done{};
+  return replay_journal(file->journal, to, replaying);
 }
 
 // Converts a piece for the report.

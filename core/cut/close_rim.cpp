@@ -252,7 +252,12 @@ bool WallClosing::resume(RimState& rim) {
   rim_ = &rim;
   if (!distance_) distance_.emplace(rim.region, moves_);
   if (!closing_) closing_.emplace(close());
-  return closing_->resume();
+  try {
+    return closing_->resume();
+  } catch (...) {
+    is_adding_ = false;  // nothing resumes a task that failed
+    throw;
+  }
 }
 
 Task<ClosedRim> WallClosing::close() {

@@ -96,18 +96,25 @@ std::optional<StopStroke> CommandQueue::stop_here() const {
 Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* progress) {
   close_and_trim();
   step.begin(history_.window() > 0);
-  recorder_.open(world_, at, history_.window() > 0,
-                 std::holds_alternative<AddMesh>(step.commands().front()));
-  Result<Delta> delta =
-      std::visit(Overloaded{
-                     [&](const ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
-                     [&](const auto&) -> Result<Delta> {
-                       KERF_ASSERT(!"not an immediate command");
-                       return Delta{};
-                     },
-                 },
-                 step.commands().front());
-  if (delta) forget_contacts(world_, *delta);
+  recorder_.open(world_, at, history_.window() > 0, std::holds_alternative<AddMesh>(step.commands().front()));
+  Result<Delta> delta = Delta{};
+  try {
+    delta = std::visit(
+        Overloaded{
+            [&](const ImmediateCommand auto& c) { return c.run(world_, step.generation, progress); },
+            [&](const auto&) -> Result<Delta> {
+              KERF_ASSERT(!"not an immediate command");
+              return Delta{};
+            },
+        },
+        step.commands().front());
+    if (delta) forget_contacts(world_, *delta);
+  } catch (...) {
+    if (std::optional<World::Change> change = recorder_.close(world_)) world_.exchange(*change);
+    step.forget();
+    physics_ = Physics();
+    throw;
+  }
   std::optional<World::Change> change = recorder_.close(world_);
   if (!delta) {
     step.forget();

@@ -177,7 +177,10 @@ Outcome Document::run_whole(std::span<const Command> commands, const Progress* p
     if (all.ok()) all.append(finish(progress));
     return all.ok() ? Status(Done{}) : all.error();
   });
-  if (!done) all.fail(done.error());
+  if (!done) {
+    all.delta.replaced = true;
+    all.fail(done.error());
+  }
   return all;
 }
 
@@ -195,10 +198,19 @@ Status Document::all_or_nothing(const std::function<Status()>& work) {
   } catch (...) {
     thrown = std::current_exception();
   }
-  if (done && !thrown) return done;
+  if (done && !thrown) {
+    if (journal_.size() == journal_size) queue_.history().put_undone(std::move(undone));
+    return done;
+  }
   const bool is_cutting =
       waiting() > 0 && history().position() > position && last().kind() == HistoryStep::Kind::kStroke;
-  if (thrown && is_cutting) (void)cancel_stroke();
+  if (thrown && is_cutting) {
+    try {
+      (void)cancel_stroke();
+    } catch (const std::bad_alloc&) {
+      // undo_to() restores the world by images alone.
+    }
+  }
   const Status back = undo_to(position, journal_size, std::move(undone));
   if (thrown) std::rethrow_exception(thrown);
   return back ? done : back;

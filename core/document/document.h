@@ -87,11 +87,11 @@ class Document {
   Outcome apply(const Command& command, const Progress* progress = nullptr);
   // Applies commands, except Undo and Redo, and executes them completely, all or nothing. First executes the
   // queue, which `progress` cannot stop. On failure, or if `progress` stops the commands, restores the world,
-  // the journal and the history with its undone steps. The outcome lists all changes.
+  // the journal and the history with its undone steps; caches of the world must then be rebuilt completely.
   Outcome run_whole(std::span<const Command> commands, const Progress* progress = nullptr);
   // Executes work that applies commands and executes them completely. First executes the queue. If the work
   // fails or throws, restores the world, the journal and the history with its undone steps; caches of the
-  // world must then be rebuilt completely.
+  // world must then be rebuilt completely. Work without an effect also keeps the undone steps.
   Status all_or_nothing(const std::function<Status()>& work);
 
   // The length of the queue (see CommandQueue::waiting).

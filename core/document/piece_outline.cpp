@@ -42,18 +42,31 @@ class OutlineTracer {
     return 0.5 * glm::cross(b - a, c - a);
   }
 
-  // Returns the different normals of the largest faces: sides of a plate may have faces larger than its top.
+  // Returns the normals along which most area lies: sides of a plate may have faces larger than its top, and
+  // a round plate has many of them.
   std::vector<Vec3> normals() const {
-    constexpr size_t kMost = 16;
+    constexpr size_t kMost = 16, kMostSummed = 256;
     std::vector<Vec3> areas, found;
     for (const auto& t : piece_.triangles) areas.push_back(area_of(t));
     std::ranges::stable_sort(areas, std::greater(), [](const Vec3& area) { return glm::dot(area, area); });
+    struct Side {
+      Vec3 normal;
+      double area;
+    };
+    std::vector<Side> sides;
     for (const Vec3& area : areas) {
       const double length = glm::length(area);
-      const auto is_along = [&](const Vec3& n) { return std::abs(glm::dot(n, area)) >= kCoplanar * length; };
-      if (!(length > 0) || found.size() == kMost) break;
-      if (std::ranges::none_of(found, is_along)) found.push_back(area / length);
+      if (!(length > 0)) break;
+      const auto same = std::ranges::find_if(sides, [&](const Side& side) {
+        return std::abs(glm::dot(side.normal, area)) >= kCoplanar * length;
+      });
+      if (same != sides.end())
+        same->area += length;
+      else if (sides.size() < kMostSummed)
+        sides.push_back({area / length, length});
     }
+    std::ranges::stable_sort(sides, std::greater(), &Side::area);
+    for (size_t i = 0; i < std::min(sides.size(), kMost); ++i) found.push_back(sides[i].normal);
     return found;
   }
 

@@ -102,8 +102,9 @@ Status save_faces(const Body& body, std::span<const FaceId> faces, const fs::pat
 
 void InputFiles::add(const fs::path& file) {
   if (const auto there = regular_file(file)) files_.push_back({there->st_dev, there->st_ino, file});
-  if (file.extension() == ".obj") objs_.push_back(file);
-  if (file.extension() != ".gltf") return;
+  const auto format = mesh_format(file.extension().string());
+  if (format == MeshFormat::kObj) objs_.push_back(file);
+  if (format != MeshFormat::kGltf) return;
   for (const fs::path& part : files_of_gltf(file)) {
     if (const auto there = regular_file(part)) files_.push_back({there->st_dev, there->st_ino, part});
   }

@@ -95,15 +95,19 @@ void DrawingBuilder::arc_to(const EllipseArc& arc, Vec2 end) {
   add(end);
 }
 
+bool DrawingBuilder::returns() const {
+  return glm::length(line_.points.back() - line_.points.front()) <= 1e-3 * tolerance_;
+}
+
 void DrawingBuilder::close() {
   std::vector<Vec2>& points = line_.points;
-  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+  while (points.size() > 1 && returns()) points.pop_back();
   line_.closed = points.size() > 2;
   end_line();
 }
 
 void DrawingBuilder::end_line() {
-  if (!line_.closed && line_.points.size() > 3 && line_.points.front() == line_.points.back()) return close();
+  if (!line_.closed && line_.points.size() > 3 && returns()) return close();
   if (fault_.empty() && line_.points.size() > 1) drawing_.lines.push_back(std::move(line_));
   line_ = {};
 }

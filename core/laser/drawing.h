@@ -131,6 +131,8 @@ class DrawingBuilder {
 
  private:
   void add(Vec2 point);
+  // Returns true if the current line ends at its start, but for rounding of relative coordinates.
+  bool returns() const;
   size_t room() const { return DrawingLimits::kMaxPoints - points_; }
 
   double tolerance_;

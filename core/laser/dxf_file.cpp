@@ -42,35 +42,13 @@ class DxfLines {
   size_t at_ = 0, number_ = 0;
 };
 
-// Metres in the units of $INSUNITS; millimetres for a drawing without a unit.
+// Metres in the units of $INSUNITS; millimetres for a drawing without a unit, or in one of astronomy.
 double dxf_unit(int code) {
-  constexpr double kSurveyFoot = 1200.0 / 3937;
-  constexpr std::array<double, 25> kUnits{0.001,
-                                          0.0254,
-                                          0.3048,
-                                          1609.344,
-                                          0.001,
-                                          0.01,
-                                          1,
-                                          1000,
-                                          2.54e-8,
-                                          0.0000254,
-                                          0.9144,
-                                          1e-10,
-                                          1e-9,
-                                          1e-6,
-                                          0.1,
-                                          10,
-                                          100,
-                                          1e9,
-                                          149597870700.0,
-                                          9460730472580800.0,
-                                          3.0856775814913673e16,
-                                          kSurveyFoot,
-                                          kSurveyFoot / 12,
-                                          3 * kSurveyFoot,
-                                          5280 * kSurveyFoot};
-  return code >= 0 && static_cast<size_t>(code) < kUnits.size() ? kUnits[static_cast<size_t>(code)] : 0.001;
+  constexpr std::array<double, 18> kUnits{0.001,     0.0254, 0.3048, 1609.344, 0.001, 0.01, 1,  1000, 2.54e-8,
+                                          0.0000254, 0.9144, 1e-10,  1e-9,     1e-6,  0.1,  10, 100,  1e9};
+  constexpr std::array<double, 4> kSurveyFeet{1, 1.0 / 12, 3, 5280};  // foot, inch, yard and mile, from 21
+  if (0 <= code && code < 18) return kUnits[static_cast<size_t>(code)];
+  return 21 <= code && code < 25 ? kSurveyFeet[static_cast<size_t>(code - 21)] * 1200 / 3937 : 0.001;
 }
 
 // Sorts the groups into sections, blocks and entities.

@@ -143,6 +143,8 @@ class SvgReader {
     int depth = 0;
     for (pugi::xml_node node = document_.document_element(); node;) {
       if (const char* id = node.attribute("id").value(); *id != 0) ids_.emplace(id, node);
+      if (local_name(node.name(), prefix_) == "style" && *node.child_value() != 0)
+        builder_.leave_out("style sheet");
       if (node.first_child()) {
         node = node.first_child();
         if (++depth > DrawingLimits::kMaxDepth) return wrong(node, "", {0, "elements are nested too deeply"});
@@ -172,12 +174,18 @@ class SvgReader {
       value = 0.01 * *number * whole;
       return Done{};
     }
+    if (unit == "em" || unit == "rem" || unit == "ex") {
+      for (pugi::xml_node of = node; of; of = of.parent()) {
+        if (!property(of, "font-size").empty())
+          return wrong(node, name, {at, "font sizes are not read: give the length in px or mm"});
+      }
+    }
     for (const SvgUnit& row : kSvgUnits) {
       if (unit != row.name) continue;
       value = *number * row.pixels;
       return Done{};
     }
-    return wrong(node, name, {at, "the unit must be px, pt, pc, mm, cm, in, Q, em, ex or %"});
+    return wrong(node, name, {at, "the unit must be px, pt, pc, mm, cm, in, Q, em, rem, ex or %"});
   }
 
   Status lengths(const pugi::xml_node& node, const Frame& frame, const char* x, const char* y,
@@ -268,10 +276,8 @@ class SvgReader {
     if (!builder_.count_element()) return bad_input(file_ + ": " + builder_.fault());
     const std::string_view name = local_name(node.name(), prefix_);
     if (std::ranges::find(kSilentElements, name) != kSilentElements.end() ||
-        name.find(':') != std::string_view::npos) {
-      if (name == "style" && *node.child_value() != 0) builder_.leave_out("style sheet");
+        name.find(':') != std::string_view::npos)
       return Done{};
-    }
     if (property(node, "display") == "none") return Done{};
     inherit(node, frame);
     if (const pugi::xml_attribute transform = node.attribute("transform")) {

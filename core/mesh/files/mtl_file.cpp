@@ -24,6 +24,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
 // Removes the first word of a text with its blanks, and returns it.
 std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
@@ -87,7 +92,7 @@ void add_line(std::string_view line, MtlFile& file) {
 }  // namespace
 
 MtlFile parse_mtl(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   MtlFile file;
   while (!text.empty()) {
     const size_t end = std::min(text.find_first_of("\n\r"), text.size());
@@ -216,9 +221,12 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
 std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file) {
   std::ifstream obj(file, std::ios::binary);
   std::vector<std::string> statements, warnings;
-  for (std::string line; std::getline(obj, line);) {
-    std::string_view rest = trimmed(line);
-    if (rest.starts_with("mtllib") && take_word(rest) == "mtllib") statements.emplace_back(rest);
+  bool is_first = true;
+  for (std::string line; statements.size() < kMaxLibraries && std::getline(obj, line); is_first = false) {
+    std::string_view rest = line;
+    rest = trimmed(is_first ? without_byte_order_mark(rest) : rest);
+    if (!rest.starts_with("mtllib") || take_word(rest) != "mtllib" || rest.empty()) continue;
+    if (std::ranges::find(statements, rest) == statements.end()) statements.emplace_back(rest);
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::vector<std::filesystem::path> files;

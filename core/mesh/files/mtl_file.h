@@ -32,6 +32,9 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
                                                         std::span<const std::string> material_names,
                                                         std::vector<std::string>& warnings);
 
+// Different statements mtllib of a file that are read; the reader ignores others.
+inline constexpr size_t kMaxLibraries = 64;
+
 // Returns the libraries of an OBJ file and the images that they name, those that exist in its folder. Reads
 // all lines of the file.
 std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file);

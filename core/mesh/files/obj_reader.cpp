@@ -132,7 +132,6 @@ class ObjReader {
       material_.reset();
     } else if (keyword == "mtllib") {
       const std::string name(scanner_.rest_of_line());
-      constexpr size_t kMaxLibraries = 64;
       if (!name.empty() && libraries_.size() < kMaxLibraries &&
           std::find(libraries_.begin(), libraries_.end(), name) == libraries_.end())
         libraries_.push_back(name);

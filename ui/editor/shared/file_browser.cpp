@@ -124,9 +124,9 @@ void follow_typed_path(FileBrowser& b) {
 
 void select_file(FileBrowser& b, const fs::path& file) {
   const std::vector<fs::path> there = to_be_replaced(b, file);
+  const InputFiles inputs = b.request.inputs && !there.empty() ? b.request.inputs() : InputFiles();
   for (const fs::path& replaced : there) {
-    if (!b.request.inputs) break;
-    const Status free = b.request.inputs().check(b.request.verb, replaced);
+    const Status free = inputs.check(b.request.verb, replaced);
     if (free) continue;
     b.fault = free.error().message;
     return;

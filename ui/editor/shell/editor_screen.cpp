@@ -299,7 +299,7 @@ KeyboardHold EditorScreen::keyboard_hold() const {
 }
 
 void EditorScreen::handle_input(const Input& input) {
-  deferred_drops_.insert(deferred_drops_.end(), input.drops.begin(), input.drops.end());
+  if (!input.drops.empty()) deferred_drops_.push_back(input.drops);
   if (thread_.busy()) {
     if (busy_.handle_input(input, thread_)) workspace_.links.quit();
     return;
@@ -309,7 +309,7 @@ void EditorScreen::handle_input(const Input& input) {
   std::vector<InputEvent> events = busy_.take_deferred_events();
   events.insert(events.end(), input.events.begin(), input.events.end());
   for (const InputEvent& event : events) handle_input_event(event);
-  if (!deferred_drops_.empty()) workspace_.links.open(std::exchange(deferred_drops_, {}));
+  for (auto& files : std::exchange(deferred_drops_, {})) workspace_.links.open(std::move(files));
   if (input.close) workspace_.links.quit();
 }
 

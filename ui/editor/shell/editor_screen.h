@@ -150,8 +150,9 @@ class EditorScreen : public Screen {
   DeferredPress deferred_press_;
   ChangeThread thread_;  // while it is busy the document is not accessed
   BusyWindow busy_;
-  std::vector<std::filesystem::path> deferred_drops_;  // files dropped while the thread is busy
-  std::string title_;                                  // of the window
+  // The files of each drop while the thread is busy.
+  std::vector<std::vector<std::filesystem::path>> deferred_drops_;
+  std::string title_;                    // of the window
   std::optional<double> statistics_at_;  // s, last update of the statistics; nullopt: they are outdated
   bool easing_ = false;                  // of the camera
   bool busy_frame_ = false;              // the last frame showed the busy window

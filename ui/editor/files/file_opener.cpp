@@ -73,13 +73,14 @@ std::string name_of(const RecoverableDocument& left) {
   return journal.scene.bodies.front().mesh.filename().string();
 }
 
-void ask_about_unsaved(Decisions& decisions, const DocumentSession& session) {
+void ask_about_unsaved(Decisions& decisions, const DocumentSession& session, bool unprompted) {
   decisions.about = Decisions::About::kUnsaved;
   Question& q = decisions.question = Question();
   q.title = "Save changes?";
   q.text = name_of_work(session) + " has unsaved changes.";
   q.choices = {{"Save", "Save first (Enter, S).", 'S'},
-               {"Discard", "Close without saving (D).", 'D'},
+               unprompted ? Question::Choice{"Discard", "Close without saving."}
+                          : Question::Choice{"Discard", "Close without saving (D).", 'D'},
                {"Cancel", "Keep editing (Esc, C).", 'C'}};
 }
 
@@ -362,11 +363,11 @@ std::string autosave_words(double age) {
 }
 
 bool may_leave(Decisions& decisions, const DocumentSession& session, const std::vector<Light>& lights,
-               const std::function<void()>& then) {
+               const std::function<void()>& then, bool unprompted) {
   if (!is_unsaved(session, lights)) return true;
   KERF_ASSERT(!decisions.question.open());
   decisions.leaving = then;
-  ask_about_unsaved(decisions, session);
+  ask_about_unsaved(decisions, session, unprompted);
   return false;
 }
 
@@ -458,13 +459,12 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
 }
 
 // Files that are read quickly are shown at once.
-Status FileOpener::open_first(std::filesystem::path default_scene,
-                              const std::vector<std::filesystem::path>& files) {
+Status FileOpener::open_first(fs::path default_scene, const std::vector<fs::path>& files) {
   default_scene_ = std::move(default_scene);
   if (files.empty()) return open_default_scene();
   show_empty_stage();
   workspace_.opening.loader.start(order_of(files), stage_is_empty_);
-  if (workspace_.opening.loader.is_over(kShowWindowAfter)) take_loaded();
+  if (workspace_.opening.loader.is_over(kShowWindowAfter)) take_loaded(true);
   return Done{};
 }
 
@@ -604,7 +604,7 @@ void FileOpener::open_recovered() {
   workspace_.opening.loader.start(std::move(order));
 }
 
-void FileOpener::take_loaded() {
+void FileOpener::take_loaded(bool may_replace) {
   if (!can_cancel_upload()) replaced_.reset(), uploads_ = false;
   FileLoader& loader = workspace_.opening.loader;
   if (loader.busy()) {
@@ -612,7 +612,7 @@ void FileOpener::take_loaded() {
       if (auto replay = loader.take_partial_replay()) show_partial_replay(workspace_, std::move(*replay));
     }
     KERF_ASSERT(!loader.order().left || !workspace_.opening.recoverable.empty());
-    if (loader.is_over(0)) {
+    if (may_replace && loader.is_over(0)) {
       LoadRequest order = loader.order();
       take(*loader.take(), std::move(order));
     }
@@ -675,8 +675,7 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
       workspace_.opening.recoverable.front().file.remove();
     workspace_.opening.recoverable.clear();  // the rest is offered at the next start
   } else if (opened) {
-    for (const std::filesystem::path& file : workspace_.session.files)
-      remember_recent(workspace_.settings, file);
+    for (const fs::path& file : workspace_.session.files) remember_recent(workspace_.settings, file);
   }
 }
 

@@ -88,9 +88,10 @@ struct Decisions {
 };
 
 // Returns true if the open document can be closed at once; otherwise stores `then` in `leaving` and asks the
-// user. Precondition: no other question is open.
+// user. A question that is not the answer to an action (`unprompted`) has no letter that discards changes.
+// Precondition: no other question is open.
 bool may_leave(Decisions& decisions, const DocumentSession& session, const std::vector<Light>& lights,
-               const std::function<void()>& then);
+               const std::function<void()>& then, bool unprompted = false);
 
 // Asks about the first recoverable document, if there is one.
 void ask_about_recovery(Decisions& decisions, const std::vector<RecoverableDocument>& recoverable);
@@ -133,9 +134,9 @@ class FileOpener {
   // Opens the first recoverable document. Precondition: there is one.
   void open_recovered();
 
-  // Called between two frames: shows loaded files. If the stage is empty and no file is being read, shows the
-  // default scene.
-  void take_loaded();
+  // Called between two frames: shows loaded files if they may replace the open document. If the stage is
+  // empty and no file is being read, shows the default scene.
+  void take_loaded(bool may_replace);
   // A mesh file that a scene or journal names and that is missing, so that it was not opened. Until the
   // following are called, an empty stage stays empty.
   struct MissingMesh {

@@ -1,3 +1,4 @@
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/thumbnails.h"
+#include "ui/window/gui.h"
 #include "ui/window/number_text.h"
 #include "ui/window/widgets.h"
 #include "ui/window/window.h"
@@ -121,7 +123,8 @@ class FilesFeature : public Feature {
 
   bool handle_event(const InputEvent& event, bool) override {
     if (event.kind != InputEvent::Kind::kKey || !decisions_.question.open()) return false;
-    if (!event.again) question_key(decisions_.question, event.button);
+    constexpr int kCommand = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+    if (!event.again && (event.mods & kCommand) == 0) question_key(decisions_.question, event.button);
     return true;
   }
   bool cancel() override {
@@ -136,8 +139,7 @@ class FilesFeature : public Feature {
     const bool asks =
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
-    ask_about_late_edits();
-    opener_.take_loaded();
+    opener_.take_loaded(may_replace_document());
     ask_about_mesh();
     opener_.make_shadows();
     restore_view();
@@ -287,16 +289,18 @@ class FilesFeature : public Feature {
   }
   // Calls `then`, which closes the open document, once the document is saved or may be discarded.
   void leave_for(std::function<void()> then) {
-    workspace_.changes.enqueue(
-        {.name = "Leave",
-         .run =
-             [this, then = std::move(then)] {
-               if (decisions_.question.open()) return true;
-               cancel_stroke(workspace_);
-               if (may_leave(decisions_, workspace_.session, workspace_.view.look.lights, then)) go(then);
-               return true;
-             },
-         .always = true});
+    workspace_.changes.enqueue({.name = "Leave",
+                                .run =
+                                    [this, then = std::move(then)] {
+                                      if (decisions_.question.open()) return true;
+                                      leave(then, false);
+                                      return true;
+                                    },
+                                .always = true});
+  }
+  void leave(const std::function<void()>& then, bool unprompted) {
+    cancel_stroke(workspace_);
+    if (may_leave(decisions_, workspace_.session, workspace_.view.look.lights, then, unprompted)) go(then);
   }
   void go(const std::function<void()>& then) {
     workspace_.opening.loader.cancel();
@@ -305,17 +309,31 @@ class FilesFeature : public Feature {
     pending_ = {then, workspace_.session.scene.others, workspace_.view.look.lights};
     then();
   }
-  // Asks again about the open document if it was edited while the files that replace it were read, which are
-  // then read once more.
-  void ask_about_late_edits() {
+  // Called once per frame. Returns true if files that were read may replace the open document. If it was
+  // edited meanwhile, asks again, after which the files are read once more.
+  bool may_replace_document() {
+    const bool waits = is_editing();
     FileLoader& loader = workspace_.opening.loader;
-    if (!pending_.begin || !loader.busy() || !loader.is_over(0)) return;
+    if (!loader.busy() || !loader.is_over(0)) return false;
+    if (!pending_.begin) return true;
+    if (waits || workspace_.changes.is_pending()) return false;
     const bool is_same =
         workspace_.session.scene.others == pending_.head && workspace_.view.look.lights == pending_.lights;
-    if (is_same) return;
+    if (is_same) return true;
+    if (decisions_.question.open() || workspace_.services.browser.open || is_text_field_active())
+      return false;
     loader.cancel();
     companions_.clear();
-    leave_for(std::exchange(pending_.begin, nullptr));
+    leave(std::exchange(pending_.begin, nullptr), true);
+    return false;
+  }
+  // Called once per frame. Returns true during a drag or a press on a widget, and in the next frame, because
+  // features store an edit only then. A text field counts only in the frame after it was left.
+  bool is_editing() {
+    const bool is_active = workspace_.input.held != nullptr || ImGui::IsAnyItemActive();
+    const bool was_active = std::exchange(was_active_, is_active);
+    if (workspace_.input.held != nullptr) return true;
+    return (is_active || was_active) && !is_text_field_active();
   }
   void cancel_upload() {
     workspace_.changes.enqueue({.name = "Cancel Upload",
@@ -532,6 +550,7 @@ class FilesFeature : public Feature {
   Recovery recovery_;
   FileOpener opener_{workspace_, recovery_};
   PendingOpening pending_;
+  bool was_active_ = false;            // a drag, widget or text field, in the last frame
   std::vector<fs::path> companions_;   // such as paths, which are loaded once the files are open
   bool has_asked_about_mesh_ = false;  // about FileOpener::missing()
   bool is_autosaved_ = false;          // the last attempt succeeded

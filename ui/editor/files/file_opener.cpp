@@ -421,6 +421,7 @@ void show_partial_replay(Workspace& workspace, PartialReplay replay) {
     renderer.show(*workspace.opening.partial_world, replay.scene.paints, std::move(replay.prepared));
     dress_as(workspace.view, replay.scene,
              select_frame(replay.scene, false, bounds, workspace.settings).frame);
+    workspace.session.saved_lights = workspace.view.look.lights;
     go_home(workspace.view, bounds);
     workspace.view.camera.finish();
   } else {

@@ -137,6 +137,8 @@ class FileOpener {
   // Called between two frames: shows loaded files if they may replace the open document. If the stage is
   // empty and no file is being read, shows the default scene.
   void take_loaded(bool may_replace);
+  // Returns true before the first document is shown.
+  bool is_stage_empty() const { return stage_is_empty_; }
   // A mesh file that a scene or journal names and that is missing, so that it was not opened. Until the
   // following are called, an empty stage stays empty.
   struct MissingMesh {

@@ -315,7 +315,7 @@ class FilesFeature : public Feature {
     const bool waits = is_editing();
     FileLoader& loader = workspace_.opening.loader;
     if (!loader.busy() || !loader.is_over(0)) return false;
-    if (!pending_.begin) return true;
+    if (!pending_.begin || opener_.is_stage_empty()) return true;
     if (waits || workspace_.changes.is_pending()) return false;
     const bool is_same =
         workspace_.session.scene.others == pending_.head && workspace_.view.look.lights == pending_.lights;

@@ -322,6 +322,7 @@ void FileLoader::start(LoadRequest order, bool watched) {
 void FileLoader::cancel() {
   if (!job_) return;
   job_->cancelled = true;
+  if (kerf::is_over(job_->result, 0)) return job_.reset();
   cancelled_.push_back(std::move(job_));
 }
 

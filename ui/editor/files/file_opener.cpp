@@ -313,7 +313,9 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
     session.file = file;
     session.saved_commands = session.document.journal().size();
   }
-  if (!scene_alone || session.file.empty()) {
+  const bool has_journal =
+      !session.file.empty() || (!session.files.empty() && is_journal(session.files.front()));
+  if (!scene_alone || !has_journal) {
     session.saved_lights = view.look.lights;
     session.saved_head = session.scene.others;
   }

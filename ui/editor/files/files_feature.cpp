@@ -472,7 +472,7 @@ class FilesFeature : public Feature {
     if (saved && !warned && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
     return true;
   }
-  // Returns true if the saved journal refers to a mesh that another program has changed.
+  // Returns true if the saved journal refers to a mesh, or its buffer, that another program has changed.
   bool warn_about_meshes() {
     (void)watched_.changed();  // the second call also returns files changed just now
     const std::vector<fs::path> changed = watched_.changed();
@@ -482,8 +482,14 @@ class FilesFeature : public Feature {
       workspace_.message.error(
           "Saved, but " + mesh->filename().string() +
           " was changed by another program: the saved file opens only with its old content.");
+      return true;
     }
-    return mesh.has_value();
+    const auto buffer = changed_buffer(workspace_.session, altered_);
+    if (buffer) {
+      workspace_.message.error("Saved, but " + buffer->filename().string() +
+                               " was changed by another program: the saved file opens with its new content.");
+    }
+    return buffer.has_value();
   }
   // Saves to a file of the dialog. If that fails, the dialog opens again in its folder with the error, and
   // `folder` is the remembered one.

@@ -158,6 +158,18 @@ std::optional<fs::path> mismatched_mesh(const DocumentSession& session, const st
   return std::nullopt;
 }
 
+std::optional<fs::path> changed_buffer(const DocumentSession& session, const std::set<fs::path>& changed) {
+  if (changed.empty()) return std::nullopt;
+  for (const SceneBody& body : session.scene.bodies) {
+    const auto format = mesh_format(body.mesh.extension().string());
+    if (!format || !is_gltf(*format)) continue;
+    for (const fs::path& side : side_files_of(body.mesh)) {
+      if (side.extension() == ".bin" && changed.contains(side)) return side;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string words_on_changed(const std::vector<fs::path>& files) {
   KERF_ASSERT(!files.empty());
   const std::string name = files.front().filename().string();

@@ -54,6 +54,11 @@ std::vector<std::filesystem::path> files_to_reload(const DocumentSession& sessio
 std::optional<std::filesystem::path> mismatched_mesh(const DocumentSession& session,
                                                      const std::set<std::filesystem::path>& changed);
 
+// Returns the first of the changed files that is a buffer (.bin) of a glTF mesh of the open document; nullopt
+// if there is none. A journal stores no hash of it, so that it opens with the new content.
+std::optional<std::filesystem::path> changed_buffer(const DocumentSession& session,
+                                                    const std::set<std::filesystem::path>& changed);
+
 // "car.obj was changed by another program.", or with the number of further files.
 std::string words_on_changed(const std::vector<std::filesystem::path>& files);
 

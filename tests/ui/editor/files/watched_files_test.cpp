@@ -58,6 +58,18 @@ TEST_F(Watched, a_mesh_with_another_content_does_not_fit_a_journal) {
   EXPECT_EQ(mismatched_mesh(session, {a_, b_}), b_);
 }
 
+TEST_F(Watched, a_changed_buffer_of_gltf_is_found) {
+  const fs::path mesh = folder_ / "car.gltf", buffer = folder_ / "car.bin", image = folder_ / "car.png";
+  write_text(mesh, R"({"buffers": [{"uri": "car.bin"}], "images": [{"uri": "car.png"}]})");
+  DocumentSession session;
+  session.scene.bodies.resize(2);
+  session.scene.bodies[0].mesh = a_;
+  session.scene.bodies[1].mesh = mesh;
+  EXPECT_EQ(changed_buffer(session, {}), std::nullopt);
+  EXPECT_EQ(changed_buffer(session, {a_, mesh, image, folder_ / "other.bin"}), std::nullopt);
+  EXPECT_EQ(changed_buffer(session, {buffer}), buffer);
+}
+
 TEST_F(Watched, a_file_counts_once_it_stays_the_same) {
   for (int i = 1; i <= 3; ++i) {
     touch(a_, i);

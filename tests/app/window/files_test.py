@@ -379,6 +379,8 @@ class Files(WindowTest):
             editor.wait_for_title("sphere.json* - Kerf")
         editor.press("ctrl", "n")
         editor.part("question")
+        editor.drop(os.path.join(ASSETS, "meshes", "plate.obj"))
+        self.assertIn("Answer the question first", editor.ask("report")["message"])
         editor.press("d")
         editor.wait_for_title("car.json - Kerf")
         editor.pause(1)

@@ -266,6 +266,8 @@ class FilesFeature : public Feature {
   }
 
   void open(std::vector<fs::path> files) {
+    if (decisions_.question.open())
+      return workspace_.message.error("Answer the question first, then drop the files again.");
     const std::vector<fs::path> companions = workspace_.links.extract_accepted(files);
     if (files.empty()) return workspace_.links.take(companions);
     leave_for([this, files, companions] {

@@ -157,7 +157,7 @@ class FilesFeature : public Feature {
   }
   void on_document_opened() override {
     watch_again();
-    altered_.clear();
+    replaced_altered_ = std::exchange(altered_, {});
     workspace_.links.take(std::exchange(companions_, {}));
   }
 
@@ -341,10 +341,15 @@ class FilesFeature : public Feature {
     workspace_.changes.enqueue({.name = "Cancel Upload",
                                 .run =
                                     [this] {
-                                      if (opener_.can_cancel_upload()) opener_.cancel_upload();
+                                      if (opener_.can_cancel_upload()) return_to_replaced();
                                       return true;
                                     },
                                 .always = true});
+  }
+  void return_to_replaced() {
+    std::set<fs::path> altered = std::move(replaced_altered_);
+    opener_.cancel_upload();
+    altered_ = std::move(altered);
   }
   bool autosave(int interval) {
     const Recovery::Time time{workspace_.screen.clock->seconds(), static_cast<double>(interval)};
@@ -566,6 +571,7 @@ class FilesFeature : public Feature {
   std::vector<fs::path> documents_files_;  // which are watched, with their side files
   std::vector<fs::path> changed_;          // by other programs, offered for reloading
   std::set<fs::path> altered_;             // likewise, since the document was opened
+  std::set<fs::path> replaced_altered_;    // likewise, of the document that was open before
   double check_at_ = 0;                    // s of the clock, of the next check
   std::optional<View> kept_view_;          // during a reload
   double kept_diagonal_ = 0;               // m, of the world at its begin

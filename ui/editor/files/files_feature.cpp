@@ -139,6 +139,7 @@ class FilesFeature : public Feature {
     const bool asks =
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
     if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
+    if (!workspace_.opening.loader.busy() && !opener_.missing()) companions_.clear();  // was cancelled
     opener_.take_loaded(may_replace_document());
     ask_about_mesh();
     opener_.make_shadows();

@@ -284,9 +284,10 @@ class FilesFeature : public Feature {
       workspace_.session.saved_head = workspace_.session.scene.others;
     });
   }
-  // Ends the stroke, so that the beam does not stay on during the game.
+  // Ends the stroke and switches the emitter off, so that no beam stays on during the game.
   void leave_for_game() {
     cancel_stroke(workspace_);
+    workspace_.links.stops_emitter = true;
     workspace_.input.held.reset();
     workspace_.links.leaves = Leaves::kForTheGame;
   }

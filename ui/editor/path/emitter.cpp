@@ -89,6 +89,7 @@ class EmitterFeature : public Feature {
   bool cancel() override { return std::exchange(emitter_.firing, false); }
   void update(double) override {
     if (workspace_.input.held == nullptr) keep();
+    if (std::exchange(workspace_.links.stops_emitter, false)) emitter_.firing = false;
     if (!workspace_.changes.is_pending()) follow_switch(workspace_.screen.clock->seconds());
   }
   void on_document_opened() override {

@@ -68,10 +68,11 @@ enum class Leaves { kNot, kForGood, kForTheGame };
 
 // Links between independent features.
 struct FeatureLinks {
-  bool cut_once = false;      // the user has cut, so hints are no longer needed
-  bool plays = false;         // the simulation is running
-  bool cools = false;         // hot material cools as time passes
-  bool cools_unseen = false;  // hot material cools, but the queued cooling changes nothing visible
+  bool cut_once = false;       // the user has cut, so hints are no longer needed
+  bool plays = false;          // the simulation is running
+  bool cools = false;          // hot material cools as time passes
+  bool cools_unseen = false;   // hot material cools, but the queued cooling changes nothing visible
+  bool stops_emitter = false;  // requests that the emitter is switched off
   // Functions that return the reason why time cannot pass, as a sentence, or null.
   std::vector<std::function<const char*()>> time_holds;
   // Returns true if the next step of the document waits for the user.

@@ -182,7 +182,8 @@ void TwinCut::begin(Document& first, const Resolution& resolution) {
 bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
   const UndoStack& history = first.history();
   if (!history.last_cut()) {
-    const bool restarted = !begun_ || first.revision() != revision_;
+    const bool fits = first.world().live_faces() <= Document::kMaxFacesToCopy;
+    const bool restarted = !begun_ || first.revision() != revision_ || (!there_ && fits);
     if (restarted) begin(first, controls.of(1));
     return restarted;
   }

@@ -122,6 +122,24 @@ class Jobs(unittest.TestCase):
                 seen.add((round(stroke['laser']['power']), round(way / (keys[-1]['t'] - keys[0]['t']), 6)))
             self.assertEqual({(200, .05), (1000, .01)}, seen)
 
+    def test_a_program_keeps_s_if_its_controller_has_another_full_power(self):
+        nc = self.write('a.nc', 'G21 G90\nM4\nG0 X0 Y0\nG1 X40 S255 F3000\nG0 X0 Y10\nG1 X40 S51\nM5\n')
+        self.kerf('path', nc, '--out', self.path('b.nc'), '--post', self.write('post.json', '{"full_power": 255}'))
+        with open(self.path('b.nc'), encoding='utf-8') as file:
+            words = [word for line in file if not line.startswith('(') for word in line.split()]
+        self.assertEqual([255, 51], [round(float(word[1:]), 9) for word in words if word.startswith('S')])
+
+    def test_tabs_keep_the_speed_of_a_stroke_that_dwells(self):
+        keys = [{'t': t, 'origin': [x, 1, z], 'direction': [0, -1, 0]} for t, x, z in (
+            (0, 0, 0), (.5, 0, 0), (1.5, .04, 0), (2.5, .04, .04), (3.5, 0, .04), (4.5, 0, 0))]
+        path = self.write('a.json', json.dumps({'strokes': [{'laser': {'radius': RADIUS}, 'keys': keys}]}))
+        self.kerf('path', path, '--out', self.path('b.json'), '--tabs', '2,0.001')
+        strokes = self.strokes('b.json')
+        self.assertEqual(2, len(strokes))
+        for keys in (stroke['keys'] for stroke in strokes):
+            way = sum(math.dist(a['origin'], b['origin']) for a, b in zip(keys, keys[1:]))
+            self.assertAlmostEqual(.04, way / (keys[-1]['t'] - keys[0]['t']))
+
     def test_layers_keep_their_order_and_the_radius_is_that_of_the_compensation(self):
         square = 'M{0} {0}h{1}v{1}h-{1}z'
         svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="' +

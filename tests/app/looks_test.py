@@ -340,6 +340,23 @@ class Looks(unittest.TestCase):
         self.assert_linear(self.read("made.obj").decode())
         self.assertIn(b"map_Kd", self.read("made.mtl"))
 
+    def test_prepare_notes_names_that_are_not_written(self):
+        def messages(mesh, out):
+            done = subprocess.run([KERF, "prepare", mesh, "--subdivide", "midpoint", "--out", out], cwd=self.folder, check=True,
+                                  capture_output=True, text=True)
+            return done.stderr
+
+        for form in ("stl", "ply", "off"):
+            self.assertIn("the name of the part is not written", messages("plate.obj", "made." + form))
+        for form in ("obj", "gltf"):
+            self.assertNotIn("not written", messages("plate.obj", "made." + form))
+        gltf = json.loads(self.read("made.gltf"))
+        gltf["nodes"] = [{"mesh": 0}, {"mesh": 0, "translation": [2, 0, 0]}]
+        gltf["scenes"] = [{"nodes": [0, 1]}]
+        gltf["meshes"][0].pop("name", None)
+        self.write("two.gltf", json.dumps(gltf))
+        self.assertNotIn("not written", messages("two.gltf", "made.stl"))
+
     def test_walls_get_the_requested_material(self):
         corners = [(x, y, z) for x in (0, 1) for y in (0, 0.3) for z in (0, 1)]
         quads = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
@@ -400,6 +417,27 @@ class Looks(unittest.TestCase):
         done = subprocess.run([KERF, "cut", "plate.obj", "--path", "cut.json", "--out", "out", "--provenance", "plate.mtl/x"],
                               cwd=self.folder, capture_output=True, text=True, timeout=900)
         self.assertEqual(done.returncode, 1, done.stderr)
+
+    def test_provenance_is_refused_only_if_a_shell_was_turned(self):
+        def box(size, at, first):
+            corners = [(x, y, z) for x in (at, at + size) for y in (at, at + size) for z in (at, at + size)]
+            quads = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
+            return "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + \
+                   "".join("f " + " ".join(str(first + v) for v in quad) + "\n" for quad in quads)
+
+        def turn(mesh, out):
+            return subprocess.run([KERF, "cut", mesh, "--turn-shells", "--provenance", "from.npz", "--out", out],
+                                  cwd=self.folder, capture_output=True, text=True, timeout=900)
+
+        self.write("one.obj", box(3, 0, 0))
+        self.write("two.obj", box(3, 0, 0) + box(1, 1, 8))
+        done = turn("one.obj", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(read_npz(self.path("from.npz"))["source_face"][0], (12,))
+        done = turn("two.obj", "other")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("--provenance: --turn-shells has turned shells; turn them first with kerf prepare", done.stderr)
+        self.assertFalse(os.path.exists(self.path("other")))
 
     def test_info_lists_looks(self):
         done = subprocess.run([KERF, "info", "plate.obj"], cwd=self.folder, capture_output=True, text=True, timeout=900)

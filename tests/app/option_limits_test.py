@@ -101,6 +101,13 @@ class OptionLimits(unittest.TestCase):
             done = self.run_here(command, *beginning, "--size", "16384x64")
             self.assertNotIn("--size", done.stderr)
 
+    def test_drivers_are_accepted_with_and_without_a_window(self):
+        for driver in ("bot", "still"):
+            for more in ([], ["--headless"]):
+                done = self.run_here("play", "none.json", "--driver", driver, *more)
+                self.assertNotIn("--driver", done.stderr)
+                self.assertIn("none.json", done.stderr)
+
     def test_settings_files_and_journals_accept_what_the_command_line_does(self):
         """And what it refuses is refused by settings files."""
         for name, (kind, text) in options_of("cut").items():

@@ -96,6 +96,45 @@ TEST(PieceOutline, faces_of_the_other_sides_may_be_the_largest) {
   EXPECT_NEAR(high, 1, 1e-12) << "it is that of the upper side";
 }
 
+// A closed disc around the y axis whose upper and lower sides consist of rings.
+Soup disc_of_rings(int sectors, int rings, double radius, double height) {
+  Soup soup;
+  const auto corner = [&](int ring, int sector, double y) {
+    const double angle = 2 * kPi * (sector % sectors) / sectors, r = radius * ring / rings;
+    return ring == 0 ? Vec3(0, y, 0) : Vec3(r * std::cos(angle), y, r * std::sin(angle));
+  };
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<uint32_t>(soup.positions.size());
+    soup.positions.insert(soup.positions.end(), {a, b, c});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (int s = 0; s < sectors; ++s) {
+    for (const double side : {1, -1}) {
+      const double y = side * height / 2;
+      const int from = side > 0 ? s : s + 1, to = side > 0 ? s + 1 : s;
+      for (int ring = 0; ring < rings; ++ring) {
+        const Vec3 a = corner(ring, from, y), c = corner(ring + 1, to, y);
+        if (ring > 0) add(a, corner(ring, to, y), c);
+        add(a, c, corner(ring + 1, from, y));
+      }
+    }
+    const Vec3 above = corner(rings, s, height / 2), below = corner(rings, s + 1, -height / 2);
+    add(above, corner(rings, s + 1, height / 2), below);
+    add(above, below, corner(rings, s, -height / 2));
+  }
+  return soup;
+}
+
+TEST(PieceOutline, a_round_plate_may_have_many_sides_of_large_faces) {
+  const int sectors = 64;
+  const double radius = 0.05;
+  const auto lines = flat_outline(whole(disc_of_rings(sectors, 8, radius, 0.02)));
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->size(), 1u);
+  EXPECT_EQ(lines->front().points.size(), static_cast<size_t>(sectors));
+  EXPECT_NEAR(area_of_lines(*lines), sectors / 2.0 * std::sin(2 * kPi / sectors) * radius * radius, 1e-12);
+}
+
 TEST(PieceOutline, other_pieces_have_none) {
   EXPECT_FALSE(flat_outline(whole(sphere(8, 12, 1))));
   EXPECT_FALSE(flat_outline(whole(tube(3, 12, 1, 1))));

@@ -64,6 +64,7 @@ TEST(RunWhole, lists_the_changes_of_the_knife_and_takes_all_back_if_it_fails) {
   const Outcome failed =
       document.run_whole(path_commands(std::vector{across(0.1), knife(0, 0), knife(0, 0.5)}, diagonal));
   EXPECT_FALSE(failed.ok()) << "the last strip is not planar";
+  EXPECT_TRUE(failed.delta.replaced);
   EXPECT_EQ(state_hash(document.world()), before);
   EXPECT_EQ(document.history().position(), 0u);
   EXPECT_TRUE(lines_of(document).empty());
@@ -102,6 +103,19 @@ bool stops_without_trace(size_t window, int reports) {
   EXPECT_TRUE(run_all(document).ok());
   EXPECT_EQ(state_hash(document.world()), both);
   return true;
+}
+
+TEST(RunWhole, keeps_undone_steps_if_it_has_no_effect) {
+  Document document = torus_document();
+  ASSERT_TRUE(document.run_whole(path_of(document)).ok());
+  const size_t steps = document.history().size();
+  const uint64_t after = state_hash(document.world());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_TRUE(document.run_whole({}).ok());
+  ASSERT_EQ(document.history().size(), steps);
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  ASSERT_TRUE(run_all(document).ok());
+  EXPECT_EQ(state_hash(document.world()), after);
 }
 
 TEST(RunWhole, leaves_no_trace_if_cancelled_at_any_progress_report) {

@@ -38,6 +38,36 @@ TEST(SaveFile, writes_through_a_symlink_and_reports_failures) {
   EXPECT_EQ(nowhere.error().code, ErrorCode::kFailed);
 }
 
+TEST(InputFiles, include_libraries_and_images_of_obj_files_in_any_spelling) {
+  TemporaryFolder folder;
+  write_text(folder / "look.mtl", "newmtl a\nmap_Kd look.png\n");
+  write_text(folder / "look.png", "an image");
+  write_text(folder / "plain.obj", "mtllib look.mtl\n");
+  write_text(folder / "PART.OBJ", "mtllib look.mtl\n");
+  write_text(folder / "marked.obj", "\xef\xbb\xbfmtllib look.mtl\n");
+  for (const char* obj : {"plain.obj", "PART.OBJ", "marked.obj"}) {
+    InputFiles inputs;
+    inputs.add(folder / obj);
+    for (const char* file : {"look.mtl", "look.png"})
+      EXPECT_FALSE(inputs.check("--out", folder / file).ok()) << obj << ", " << file;
+  }
+}
+
+TEST(InputFiles, include_at_most_64_different_libraries_of_an_obj_file) {
+  TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 65; ++i) {
+    const std::string name = std::to_string(i) + ".mtl";
+    write_text(folder / name, "newmtl a\n");
+    text += "mtllib " + name + "\nmtllib 0.mtl\n";
+  }
+  write_text(folder / "part.obj", text);
+  InputFiles inputs;
+  inputs.add(folder / "part.obj");
+  EXPECT_FALSE(inputs.check("--out", folder / "63.mtl").ok());
+  EXPECT_TRUE(inputs.check("--out", folder / "64.mtl").ok());
+}
+
 // The faces stand in the files in their order, whatever pieces they belong to.
 TEST(SaveWorldAsScene, keeps_the_face_order_of_several_pieces) {
   World world = world_of(sphere(14, 20, 1));

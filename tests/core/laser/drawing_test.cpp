@@ -161,6 +161,20 @@ TEST(SvgDrawing, units_are_those_of_css) {
   EXPECT_LT(glm::length(drawing->middle - Vec2(0.0254, -0.0127)), 1e-15);
 }
 
+TEST(SvgDrawing, an_em_is_16_px_unless_a_font_size_is_given) {
+  const auto drawing =
+      read_svg("<svg><line x2='6em'/><line x2='6rem'/><line x2='12ex'/></svg>", "test.svg", kFlatness);
+  ASSERT_TRUE(drawing.ok()) << drawing.error().message;
+  for (const DrawnLine& line : drawing->lines) EXPECT_NEAR(line.points[1].x, 0.0254, 1e-15);
+  const std::string why = "x2: font sizes are not read: give the length in px or mm";
+  for (const std::string unit : {"em", "rem", "ex"}) {
+    const std::string line = "<line x2='1" + unit + "'/>";
+    EXPECT_EQ(svg_error("<svg font-size='8'>" + line + "</svg>"), "test.svg, line 1, column 31: " + why);
+    EXPECT_NE(svg_error("<svg><g style='font-size: 8px'><g>" + line + "</g></g></svg>").find(why),
+              std::string::npos);
+  }
+}
+
 TEST(SvgDrawing, a_view_box_is_centred_in_a_page_of_another_shape) {
   const auto drawing =
       read_svg("<svg width='100mm' height='40mm' viewBox='-10 -10 20 20'><line x2='10'/></svg>", "test.svg",
@@ -195,6 +209,16 @@ TEST(SvgDrawing, a_line_that_returns_to_its_start_is_closed) {
   EXPECT_FALSE(drawing.lines[2].closed);
 }
 
+TEST(SvgDrawing, a_line_that_returns_to_its_start_within_rounding_is_closed) {
+  // 0.1 + 0.2 - 0.2 is not 0.1.
+  const Drawing drawing = svg_of("<path d='M.1 .1h.2v.2h-.2v-.2'/><path d='M.1 .1h.2v.2h-.2v-.2z'/>");
+  ASSERT_EQ(drawing.lines.size(), 2u);
+  for (const DrawnLine& line : drawing.lines) {
+    EXPECT_TRUE(line.closed);
+    EXPECT_EQ(line.points.size(), 4u);
+  }
+}
+
 TEST(SvgDrawing, the_root_and_symbols_pass_their_properties_on) {
   const auto layers = [](const std::string& text) {
     const auto drawing = read_svg(text, "test.svg", kFlatness);
@@ -215,6 +239,8 @@ TEST(SvgDrawing, the_root_and_symbols_pass_their_properties_on) {
 TEST(SvgDrawing, a_style_sheet_is_reported) {
   EXPECT_EQ(left_out_text(svg_of("<style>.a{display:none}</style><path class='a' d='M0 0h9'/>")),
             "left out: 1 style sheet");
+  EXPECT_EQ(left_out_text(svg_of("<defs><style>.c{display:none}</style></defs><path class='c' d='M0 0h9'/>")),
+            "left out: 1 style sheet");
 }
 
 TEST(SvgDrawing, shares_of_an_unknown_window_are_no_page) {
@@ -231,9 +257,9 @@ TEST(SvgDrawing, errors_name_line_and_column) {
             "test.svg, line 1, column 15: d: a path must begin with M");
   EXPECT_EQ(svg_error("<svg>\n<g transform='turn(3)'/></svg>"),
             "test.svg, line 2, column 15: transform: this is no transform with as many numbers");
-  EXPECT_NE(svg_error("<svg><rect width='1vw' height='1'/></svg>")
-                .find("line 1, column 20: width: the unit must be"),
-            std::string::npos);
+  EXPECT_EQ(
+      svg_error("<svg><rect width='1vw' height='1'/></svg>"),
+      "test.svg, line 1, column 20: width: the unit must be px, pt, pc, mm, cm, in, Q, em, rem, ex or %");
   EXPECT_NE(svg_error("<svg>\n<g>\n</svg>").find("test.svg, line 3"), std::string::npos);
   EXPECT_NE(svg_error("<html/>").find("not an SVG"), std::string::npos);
 }
@@ -284,6 +310,16 @@ TEST(DxfDrawing, units_are_those_of_the_header_else_millimetres) {
   EXPECT_NEAR(dxf_of(line, header(1)).lines[0].points[1].x, 0.0508, 1e-15);
   EXPECT_NEAR(dxf_of(line, header(6)).lines[0].points[1].x, 2, 1e-15);
   EXPECT_NEAR(dxf_of(line, header(21)).lines[0].points[1].x, 2 * 1200.0 / 3937, 1e-15);
+  EXPECT_NEAR(dxf_of(line, header(24)).lines[0].points[1].x, 2 * 5280 * 1200.0 / 3937, 1e-11);
+}
+
+TEST(DxfDrawing, units_of_astronomy_are_read_as_millimetres) {
+  for (const std::string unit : {"18", "19", "20"}) {
+    const Drawing drawing = dxf_of("0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n",
+                                   "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + unit + "\n0\nENDSEC\n");
+    ASSERT_EQ(drawing.lines.size(), 1u) << unit;
+    EXPECT_NEAR(drawing.lines[0].points[1].x, 0.002, 1e-15) << unit;
+  }
 }
 
 TEST(DxfDrawing, blocks_are_scaled_turned_and_repeated) {

@@ -87,6 +87,7 @@ void GameScreen::begin_match() {
   replay_.reset();
   replay_shown_ = false;
   score_log_ = ScoreLog();
+  clock_ = MatchClock();
   played_.clear();
   played_seconds_ = after_end_ = 0;
   guide_ = settings_.guide;

@@ -1,6 +1,7 @@
 #include "core/game/match/cut_motion.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/base/assert.h"
@@ -15,6 +16,7 @@ constexpr double kAcross = 0.8, kAlong = 0.4;              // m/s
 constexpr double kTurn = 1.5, kHeavyTurn = 0.5, kTip = 1;  // rad/s
 constexpr double kPop = 2, kPopTurn = 4;                   // m/s and rad/s
 constexpr double kPopUp = 0.35;                            // fraction of the speed
+constexpr double kFoot = 0.1;                              // m, above which a part supports nothing
 constexpr double kLies = 0.5;  // sine of the tilt from which a long, thin body lies rather than stands
 
 Vec3 unit_or_zero(const Vec3& v) {
@@ -26,6 +28,17 @@ Vec3 unit_or_zero(const Vec3& v) {
 Vec3 centre_of(const Body& body) {
   const Bounds box = body.bounds();
   return body.placement.to_world(0.5 * (box.min + box.max));
+}
+
+// Height of the lowest corner of the box [m].
+double lowest_of(const Body& body) {
+  const Bounds box = body.bounds();
+  double lowest = std::numeric_limits<double>::max();
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at = [&](int k) { return corner >> k & 1 ? box.max[k] : box.min[k]; };
+    lowest = std::min(lowest, body.placement.to_world({at(0), at(1), at(2)}).y);
+  }
+  return lowest;
 }
 
 // Normal of the plane that the beam swept, towards the part. Without a stroke the parts move apart as their
@@ -59,6 +72,7 @@ std::optional<Vec3> side_to_tip(const Body& body, const CutTrail* trail) {
 // Turns a body about a place below it, with its top to the side (unit). Another cut does not turn it faster.
 void tip_over(Body& body, const Vec3& about, const Vec3& side) {
   KERF_ASSERT(is_unit(side));
+  if (glm::dot(body.motion.spin, glm::cross(Vec3(0, 1, 0), side)) >= kTip) return;
   const Vec3 arm = centre_of(body) - body.placement.position;
   const double height = std::max(0.0, centre_of(body).y - about.y);
   body.motion.wake();
@@ -111,6 +125,8 @@ Vec3 topple(Body& rest, Body& part, const CutTrail* trail) {
   if (part.tree.leaf_count() == 0 || rest.tree.leaf_count() == 0)
     return part_at_cut(rest, part, trail, false);
   const bool is_upper = centre_of(part).y >= centre_of(rest).y;
+  // A chip from the middle of a body did not support it.
+  if (!is_upper && lowest_of(part) > lowest_of(rest) + kFoot) return part_at_cut(rest, part, trail, false);
   Body &upper = is_upper ? part : rest, &lower = is_upper ? rest : part;
   Vec3 across;
   if (const auto side = side_to_tip(upper, trail)) {

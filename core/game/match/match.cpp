@@ -1,6 +1,7 @@
 #include "core/game/match/match.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,9 +30,20 @@ bool has_room(const Vec3& place, const FreeSpace& space, std::span<const Disc> t
       traffic, [&](const Disc& disc) { return glm::distance(disc.centre, place) < disc.radius + kGap; });
 }
 
+// Returns true if a vehicle fits between walls on even ground.
+bool fits(const Vec3& place, double heading, const FreeSpace& space) {
+  constexpr double kEnds = 1.8, kEven = 0.1;  // m, of the middle
+  if (space.spots() == 0) return true;
+  return std::ranges::all_of(std::array{-kEnds, 0.0, kEnds}, [&](double along) {
+    const FreeSpace::Spot spot = space.spot_at(place + along * direction_of(wrapped(heading), 0));
+    return space.has_room(spot) && std::abs(space.place_of(spot).y - place.y) <= kEven;
+  });
+}
+
 constexpr double kLeaning = 0.35;  // cosine of the lean beyond which a vehicle is overturned
 constexpr double kRoom = 2.5;      // m, around a vehicle
 constexpr double kFreeSpeed = 3;   // m/s
+constexpr double kLevel = 0.985;   // cosine of the largest lean of a place to put a vehicle, 10 degrees
 
 constexpr double kUnstuckAway = 0.9;  // m
 
@@ -66,7 +78,8 @@ void count(const Body& chassis, Vehicle& vehicle) {
   vehicle.stuck_s = std::max(0.0, vehicle.stuck_s + (overturned || wants ? kTick : -kTick));
   vehicle.tried_ahead |= wants && vehicle.controls.throttle > 0;
   vehicle.tried_back |= wants && vehicle.controls.throttle < 0;
-  if (!overturned && glm::length(chassis.motion.velocity) > kFreeSpeed)
+  const double up = (chassis.placement.orientation * Vec3(0, 1, 0)).y;
+  if (up > kLevel && glm::length(chassis.motion.velocity) > kFreeSpeed)
     vehicle.free_place = chassis.placement;
 }
 
@@ -117,6 +130,18 @@ PilotSkill pilot_skill(const EnemySkill& skill, size_t wave) {
       {skill.aim_error, burst, pause, rising * vital, 0, range}, skill.reaction, skill.distance, skill.speed};
 }
 
+// Returns true if a large prop stands at a place when a wave begins.
+bool is_taken(const Arena& arena, const Vec3& place) {
+  constexpr double kMiddle = 0.8, kAround = 0.5, kLarge = 3;  // m
+  return std::ranges::any_of(arena.bodies, [&](const ModelBody& prop) {
+    const Bounds box = prop.body.bounds();
+    if (prop.body.pinned || glm::length(box.max - box.min) < kLarge) return false;
+    const Vec3 at = prop.body.placement.to_body(place + Vec3(0, kMiddle, 0));
+    return glm::all(glm::greaterThan(at, box.min - kAround)) &&
+           glm::all(glm::lessThan(at, box.max + kAround));
+  });
+}
+
 WaveStart first_wave(const MatchSetup& setup) {
   KERF_ASSERT(setup.rules);
   WaveStart start{{}, setup.rules->arena.description.player.placement(), 0, {}};
@@ -150,7 +175,10 @@ std::optional<Placement> place_before(const Placement& vehicle, const FreeSpace&
       const Vec3 there = vehicle.position + away * direction_of(wrapped(heading + turn), 0);
       if (!has_room(there, space, traffic)) continue;
       const Vec3 at = space.spots() > 0 ? space.place_of(space.spot_at(there)) : there;
-      return Placement{at, axis_angle({0, 1, 0}, heading + 0.5 * kPi)};
+      // Across the view if there is room for it.
+      for (const double across : {0.5 * kPi, 0.0}) {
+        if (fits(at, heading + across, space)) return Placement{at, axis_angle({0, 1, 0}, heading + across)};
+      }
     }
   }
   return std::nullopt;
@@ -213,6 +241,7 @@ void Match::begin_wave(const WaveStart& start) {
   trails_.clear();
   cutters_.clear();
   falling_.clear();
+  struck_by_.clear();
   bursting_.clear();
   loot_.clear();
   in_air_ = 0;
@@ -480,6 +509,8 @@ void Match::fire_beams(const PlacementsBefore& before) {
     const auto follow = [&](const std::map<BodyId, StepResult>& cuts) {
       for (const auto& [id, cut] : cuts) {
         world_.follow(cut.delta);
+        // A cut that failed may have removed parts before.
+        if (cut.delta.replaced && vehicle_of(id) != Event::kNobody) tally_.blame(vehicle_of(id), v);
         if (cut.delta.removed_faces == 0) continue;
         tally_.record_cut(v, vehicle_of(id), id, world().body(id), cut);
         trails_.record(id, tally_.events().back().at, muzzle_pose(world(), vehicle).direction);
@@ -618,8 +649,9 @@ void Match::end_pause() {
     next.out.clear();
   }
   const Body& chassis = world().body(vehicles_[kPlayer].chassis);
-  next.player = other_car ? rules().arena.description.player.placement()
-                          : upright(chassis.placement, rules().arena.description.ground);
+  const Placement start = rules().arena.description.player.placement();
+  next.player = other_car ? start : upright(chassis.placement, rules().arena.description.ground);
+  if (is_taken(rules().arena, next.player.position)) next.player = start;
   begin_wave(next);
 }
 

@@ -3,7 +3,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/game/arena/arena.h"
@@ -175,7 +177,8 @@ class Match {
   };
   std::map<BodyId, size_t> cutters_;  // by body of no vehicle, the vehicle that last cut it
   std::vector<FallingBody> falling_;
-  std::vector<size_t> bursting_;  // vehicles whose fuel tanks were cut in the last tick
+  std::set<std::pair<BodyId, size_t>> struck_by_;  // props as loaded whose fall scored, and the vehicles hit
+  std::vector<size_t> bursting_;                   // vehicles whose fuel tanks were cut in the last tick
   std::vector<LootPart> loot_;
   Ticks in_air_ = 0;          // for which no wheel of the player's car has been on the ground
   bool upgraded_ = false;     // an upgrade was selected in this pause

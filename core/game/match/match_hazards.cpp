@@ -81,8 +81,14 @@ void Match::strike(const std::vector<Motion>& motions, const PlacementsBefore& b
       fall.struck.push_back(v);
       const double mass = mass_of(world().body(fall.body));
       tally_.blame(v, fall.by);
-      tally_.add_event({Event::Kind::kStruck, v, fall.by, 0, fall.body, at, mass},
-                       vehicle.alive ? rules().description.scores.struck : 0);
+      // Pieces of one prop score once for each vehicle.
+      const auto score_of_fall = [&]() -> double {
+        if (!vehicle.alive) return 0;
+        const bool is_new =
+            fall.by != kPlayer || struck_by_.emplace(world().body(fall.body).loaded_as, v).second;
+        return is_new ? rules().description.scores.struck : 0;
+      };
+      tally_.add_event({Event::Kind::kStruck, v, fall.by, 0, fall.body, at, mass}, score_of_fall());
       const double reach = std::min(kMaxStrikeReach, kStrikeReach + kHeavier * mass);
       const Damage damage = knock_off(world(), vehicle, at, reach);
       pop_off_lost(v, damage);

@@ -87,7 +87,8 @@ void describe_head(Fields& f, Recording& recording) {
         const bool is_old = format.json().is_number_unsigned() && format.json() < kRecordingFormat;
         if (!is_old) return Done{};
         return format.wrong(
-            "the match was recorded before Kerf 0.2: replay it with the version that recorded it");
+            "the match was recorded by an earlier build of Kerf, whose matches differ: replay it with that "
+            "build");
       },
       [] { return nlohmann::ordered_json(kRecordingFormat); }, kOptional);
   f.format(kRecordingFormat);

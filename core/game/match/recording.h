@@ -23,7 +23,7 @@ inline constexpr size_t kMaxSeconds = 36'000;
 
 // A match as its file holds it, one JSON object a line:
 //
-//   {"kerf": "match", "format": 3, "program": "0.1.0", "rules": "games/standard.json",
+//   {"kerf": "match", "format": 4, "program": "0.2.0", "rules": "games/standard.json",
 //    "files": "0123456789abcdef", "seed": 1, "difficulty": "normal"}
 //   {"inputs": [[ticks, throttle, steer, buttons, fire, width, heading, pitch], ...]}
 //   {"hash": "0123456789abcdef", "machine": "..."}

@@ -306,7 +306,12 @@ void Tally::record_damage(const World& world, size_t index, const Vehicle& vehic
       lost(Event::Kind::kCleanPart, vehicle.wheels[w].body, w, scores_->clean);
     standing_.wheels_lost += index == kPlayer;
   }
-  const auto score_of_laser = [&] { return std::exchange(record.disarmed, true) ? 0 : scores_->turret; };
+  // The turret and its laser score once in all.
+  const auto score_of_laser = [&]() -> double {
+    const bool is_paid = record.disarmed;
+    record.disarmed = is_paid || record.last_cut_by == kPlayer;
+    return is_paid ? 0 : scores_->turret;
+  };
   if (damage.turret) lost(Event::Kind::kTurretLost, vehicle.gun.turret, 0, score_of_laser());
   if (damage.barrel) lost(Event::Kind::kBarrelLost, vehicle.gun.barrel, 0, score_of_laser());
   for (const size_t part : damage.vitals) {

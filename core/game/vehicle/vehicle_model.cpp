@@ -103,6 +103,8 @@ class ModelLoader {
   // damage hold the parts that the chassis carries.
   Status share_out_joints() {
     for (const JointDescription& joint : what().body.joints) {
+      if (joint.parts[0].empty() || joint.parts[1].empty())
+        return wrong("a joint of a vehicle needs \"parts\", two names");
       for (const std::string& part : joint.parts) {
         const auto has_part = [&](const VehicleBody* body) { return has_group(body->body, part); };
         if (std::ranges::none_of(bodies_, has_part))

@@ -137,7 +137,7 @@ struct VehicleDescription {
 //    "vital": [{"kind": "engine", "part": "engine", "mount": "body"}],
 //    "tank": {"part": "tank", "mount": "body"},
 //    "driver_eye": [..], "engine": {"force": 7000, "power": 120000, "top_speed": 24},
-//    "joints": as in scenes, "paints": as in scenes}
+//    "joints": as in scenes, with "parts"; "paints": as in scenes}
 //
 // Required are "mesh", "wheels" and "turret", and in these the parts, mounts, hubs, radii, pivots and the
 // muzzle. Fails with bad input; the message names the file and the JSON pointer of the first wrong value.

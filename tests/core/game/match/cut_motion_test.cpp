@@ -71,6 +71,22 @@ TEST_F(CutMotion, a_long_heavy_prop_topples_at_right_angles_to_its_length_unless
   EXPECT_NEAR(glm::length(chassis().motion.spin), 0.5, 1e-9);
 }
 
+TEST_F(CutMotion, a_chip_above_the_foot_of_a_prop_does_not_topple_it) {
+  CutTrails trails;
+  for (int i = 0; i < 5; ++i) trails.record(stage_.vehicle.chassis, {0, 0, 0.01 * i}, {1, 0, 0});
+  const CutTrail* trail = trails.of(stage_.vehicle.chassis);
+  chassis().motion = Motion{};
+  wheel().placement.position.y += middle_of(chassis()).y - 0.05 - middle_of(wheel()).y;
+  topple(chassis(), wheel(), trail);
+  EXPECT_EQ(chassis().motion.spin, Vec3(0));
+  wheel().placement.position.y -= 5;
+  topple(chassis(), wheel(), trail);
+  EXPECT_LT(glm::distance(chassis().motion.spin, Vec3(0, 0, -1)), 1e-9) << "it stood on the part";
+  chassis().motion.velocity.y = -1;
+  topple(chassis(), wheel(), trail);
+  EXPECT_EQ(chassis().motion.velocity.y, -1) << "it falls already";
+}
+
 TEST_F(CutMotion, a_wheel_pops_off_at_two_metres_a_second) {
   const Vec3 before = velocity_of_centre(wheel());
   pop_off(wheel(), {1, 0, 0}, nullptr);

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
+#include "core/base/deterministic_math.h"
 #include "core/game/match/match.h"
 #include "core/game/match/recording.h"
 #include "core/world/world.h"
+#include "tests/support/checkout.h"
 #include "tests/support/game_files.h"
 
 namespace kerf {
@@ -169,6 +172,30 @@ TEST(Sandbox, a_vehicle_spawns_once_per_key_press) {
     again.tick(spawn_request(true));
   }
   EXPECT_EQ(state_hash(again.world()), hash);
+}
+
+// No face of the arena crosses a line along the vehicle, in any place of the arena.
+TEST(Sandbox, vehicles_spawn_between_walls) {
+  const auto rules = load_rules(test::checkout() / "assets/games/standard.json");
+  ASSERT_TRUE(rules) << rules.error().message;
+  const FreeSpace space((*rules)->arena);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> metres(-40, 40), turns(-kPi, kPi);
+  size_t places = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Placement from{{metres(random), 0, metres(random)}, axis_angle({0, 1, 0}, turns(random))};
+    const auto place = place_before(from, space, {});
+    if (!place) continue;
+    ++places;
+    const Pose line{place->to_world({0, 0.8, -1.9}), place->orientation * Vec3(0, 0, 1)};
+    for (const ModelBody& fixed : (*rules)->arena.bodies) {
+      const Body& body = fixed.body;
+      if (!body.pinned) continue;
+      EXPECT_FALSE(body.tree.nearest(body.mesh, body.placement.to_body(line), {0, 3.8}))
+          << i << " at " << place->position.x << ", " << place->position.z;
+    }
+  }
+  EXPECT_GT(places, 100u);
 }
 
 TEST(Sandbox, a_spawned_vehicle_can_be_cut) {

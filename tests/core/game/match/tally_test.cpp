@@ -25,7 +25,7 @@ class TallyTest : public testing::Test {
   }
 
   test::LoneVehicle stage;
-  Scores scores{.wheel = 1, .kill = 100, .at_a_stroke = 1000, .medals = {}};
+  Scores scores{.wheel = 1, .turret = 10, .kill = 100, .at_a_stroke = 1000, .medals = {}};
   Tally tally{scores, {}, 0};
 };
 
@@ -44,6 +44,19 @@ TEST_F(TallyTest, points_are_awarded_for_the_last_cut_of_the_player) {
   EXPECT_EQ(tally.standing().score, 100);
   EXPECT_EQ(tally.events().back().by, Tally::kPlayer);
   EXPECT_EQ(tally.events().back().points, 100);
+}
+
+TEST_F(TallyTest, a_laser_scores_once_also_if_another_vehicle_cut_its_barrel_off) {
+  Damage barrel, turret;
+  barrel.barrel = turret.turret = true;
+  cut(1, 2);
+  tally.record_damage(stage.world, 2, stage.vehicle, barrel);
+  EXPECT_EQ(tally.standing().score, 0);
+  cut(Tally::kPlayer, 2);
+  tally.record_damage(stage.world, 2, stage.vehicle, turret);
+  EXPECT_EQ(tally.standing().score, scores.turret);
+  tally.record_damage(stage.world, 2, stage.vehicle, barrel);
+  EXPECT_EQ(tally.standing().score, scores.turret);
 }
 
 TEST_F(TallyTest, a_kill_in_the_first_stroke_scores_more) {

@@ -40,6 +40,45 @@ TEST(History, a_cancelled_cut_keeps_what_was_undone) {
   EXPECT_GT(world.cut(across(0.7)).removed_faces, 0u);
 }
 
+TEST(History, a_cut_is_cancelled_at_any_point) {
+  World world;
+  world.add(sheet(10));
+  world.cut(across(0.3));
+  const std::string cut = world.hash();
+  EXPECT_TRUE(world.undo());
+  const std::string whole = world.hash();
+  CutSettings settings;
+  settings.material = "copper";
+  int allowed = 0;
+  for (bool cancelled = true; cancelled; ++allowed) {
+    int left = allowed;
+    try {
+      world.cut(across(0.7), settings, {[&](double) { return left-- > 0; }, 0});
+      cancelled = false;
+    } catch (const Cancelled&) {
+      ASSERT_EQ(world.hash(), whole) << allowed;
+      ASSERT_TRUE(world.redo()) << allowed;
+      ASSERT_EQ(world.hash(), cut) << allowed;
+      ASSERT_TRUE(world.undo()) << allowed;
+    }
+  }
+  EXPECT_GT(allowed, 3);
+}
+
+TEST(History, a_cut_without_an_effect_keeps_what_was_undone) {
+  World world;
+  world.add(sheet(10));
+  const std::string none = in_report(world, "removed");
+  world.cut(across(0.3));
+  const std::string cut = world.hash(), one = in_report(world, "removed");
+  EXPECT_TRUE(world.undo());
+  world.cut(std::vector<Stroke>{});
+  EXPECT_EQ(in_report(world, "removed"), none);
+  EXPECT_TRUE(world.redo());
+  EXPECT_EQ(world.hash(), cut);
+  EXPECT_EQ(in_report(world, "removed"), one);
+}
+
 TEST(History, undo_restores_the_totals_of_the_report) {
   World world;
   world.add(sheet(10));
@@ -88,6 +127,24 @@ TEST(History, undo_restores_the_size_from_which_defaults_follow) {
   late.save_journal(file);
   World opened(file);
   EXPECT_EQ(hash_of_default(opened), hash_of_default(late));
+
+  World falling;
+  BodyDesc fixed;
+  fixed.is_fixed = true;
+  falling.add(sheet(10), fixed);
+  falling.cut(across(0.2));
+  falling.add(sheet(1), far);
+  falling.simulate(1);
+  falling.save_journal(file);
+  World fallen(file);
+  EXPECT_EQ(hash_of_default(fallen), hash_of_default(falling)) << "the added sheet has fallen";
+  World undone(file);
+  while (undone.undo()) {
+  }
+  World first;
+  first.add(sheet(10), fixed);
+  EXPECT_TRUE(undone.redo());
+  EXPECT_EQ(hash_of_default(undone), hash_of_default(first)) << "the second sheet is not there yet";
   World empty;
   empty.add(sheet(1));
   EXPECT_TRUE(empty.undo());
@@ -139,6 +196,17 @@ TEST(History, numbers_beyond_doubles_are_refused) {
   stroke.keys[0].time = -1e308;
   stroke.keys[1].time = 1e308;
   EXPECT_THROW(world.cut(stroke), InvalidArgument);
+  Stroke begun = stroke;
+  begun.keys.pop_back();
+  world.begin_stroke(begun);
+  kerf_keyframe key = stroke.keys[0];
+  key.time = 0;
+  key.origin[0] = 0.1;
+  world.add_pose(key);
+  key.time = 1e308;
+  key.origin[0] = 0.2;
+  EXPECT_THROW(world.add_pose(key), InvalidArgument);
+  world.cancel_stroke();
 }
 
 TEST(History, boxes_find_faces_that_lie_in_one_of_their_sides) {

@@ -195,16 +195,11 @@ class PathRun {
       case JobFile::Kind::kSvg:
         return strokes_svg(strokes);
       case JobFile::Kind::kProgram:
-        return gcode(strokes);
+        return keeps_power() ? strokes_gcode_with_same_s(strokes, post_)
+                             : strokes_gcode(strokes, options_.power_at_s1000, post_);
       default:
         return path_file_text(strokes);
     }
-  }
-
-  Result<std::string> gcode(const std::vector<StrokePath>& strokes) const {
-    PostProcessor post = post_;
-    if (keeps_power()) post.full_power = 1000;
-    return strokes_gcode(strokes, power_at_s1000(), post);
   }
 
   std::string summary(const std::vector<StrokePath>& strokes, const JobFile& job) const {

@@ -303,6 +303,13 @@ Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::opti
   return gcode_text(*program, comment + " W", post);
 }
 
+Result<std::string> strokes_gcode_with_same_s(std::span<const StrokePath> strokes, PostProcessor post) {
+  post.full_power = 1000;
+  const auto program = program_of(strokes, post.full_power);
+  if (!program) return program.error();
+  return gcode_text(*program, "Kerf, " + count_text(strokes.size(), "stroke"), post);
+}
+
 namespace {
 
 void code_lines_field(Fields& f, const char* key, std::vector<std::string>& lines) {

@@ -108,6 +108,8 @@ Result<std::vector<DrawnLine>> plane_lines(std::span<const StrokePath> strokes);
 // use full power.
 Result<std::string> strokes_gcode(std::span<const StrokePath> strokes, std::optional<double> power_at_s1000,
                                   const PostProcessor& post = {});
+// Returns strokes of a program, read with 1000 W at S1000, as a program with the same S.
+Result<std::string> strokes_gcode_with_same_s(std::span<const StrokePath> strokes, PostProcessor post);
 // Reads the JSON of a post-processor, whose keys are the members of PostProcessor; missing ones keep their
 // defaults.
 Result<PostProcessor> read_post_processor(const std::filesystem::path& file);

@@ -168,7 +168,8 @@ class CutRun {
     if (options_.journal.empty()) return Done{};
     const auto place = [](const std::string& file) {
       std::error_code error;
-      const std::filesystem::path found = std::filesystem::weakly_canonical(file, error);
+      std::filesystem::path found = std::filesystem::absolute(file, error);
+      if (!error) found = std::filesystem::weakly_canonical(found, error);
       return error ? std::filesystem::path(file) : found;
     };
     if (!options_.provenance.empty() && place(options_.journal) == place(options_.provenance))
@@ -258,6 +259,11 @@ class CutRun {
   Status cut(const StrokePath& stroke, const CutSettings& settings, const Progress& progress) {
     job_.begin_stroke();
     job_.thermal = settings.model == Model::kThermal;
+    const bool is_instant = job_.thermal && duration_of(stroke) <= 0;
+    if (is_instant) {
+      job_.notes.push_back("stroke " + std::to_string(job_.strokes) +
+                           " lasts no time, so it emits no energy: give a second key with a later \"t\"");
+    }
     if (job_.thermal && scales_removal(settings) && !warned_scaled_) {
       warned_scaled_ = true;
       std::cerr
@@ -282,8 +288,7 @@ class CutRun {
       const Progress stepping = share_of(&progress, done(i), done(i + 1));
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
-      if (steps != moves) continue;
-      while (segment < segment_ends.size() && i + 1 >= segment_ends[segment]) {
+      while (segment < segment_ends.size() && moves * (i + 1) / steps >= segment_ends[segment]) {
         ++segment;
         const bool is_same_line =
             segment < segment_ends.size() && line(segment) && line(segment) == job_.segment.line;
@@ -302,6 +307,7 @@ class CutRun {
       job_.uncut.erase(job_.uncut.begin() + static_cast<std::ptrdiff_t>(uncut + i));
     }
     job_.end_stroke();
+    if (is_instant) std::erase(job_.missed, job_.strokes - 1);
     return Done{};
   }
 

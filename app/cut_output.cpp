@@ -1,9 +1,13 @@
 #include "app/cut_output.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -434,6 +438,8 @@ Status PiecesFolder::make() const {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) return failed(path + ": cannot create the folder: " + error.message());
+  if (::access(path.c_str(), W_OK | X_OK) != 0)
+    return failed(path + ": cannot write to the folder: " + std::strerror(errno));
   return Done{};
 }
 
@@ -479,7 +485,8 @@ Result<std::vector<WrittenPiece>> PiecesFolder::write(CutJob& job, const World& 
   }
   const auto report = with_run_description(cut_report(job, world, how, written));
   const auto file = fs::path(path) / kReport;
-  if (const auto s = write_file_atomically(file, report.dump(2) + "\n"); !s) return s.error();
+  const std::string text = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (const auto s = write_file_atomically(file, text + "\n"); !s) return s.error();
   earlier.remove_all_but(written);
   return written;
 }

@@ -115,7 +115,8 @@ class ReplayRun {
       warn(arguments_.journal + ": materials, images or UVs differ from those when the journal was saved");
     record_missed();
     if (!folder.path.empty()) {
-      if (const auto s = folder.write(job_, document.world(), first_settings()); !s) return s.error();
+      if (const auto s = folder.write(job_, document.world(), first_settings_.value_or(CutSettings())); !s)
+        return s.error();
     }
     return judge(replay, hash);
   }
@@ -169,6 +170,11 @@ class ReplayRun {
     for (size_t i = 0; i < lasting_.size(); ++i) {
       strokes += lasting_[i] && std::holds_alternative<BeginStroke>(work_.journal.commands[i]);
       strokes_.push_back(strokes);
+      if (!lasting_[i]) continue;
+      if (const CutSettings* settings = cut_settings(work_.journal.commands[i])) {
+        if (!first_settings_) first_settings_ = *settings;
+        job_.thermal = job_.thermal || settings->model == Model::kThermal;
+      }
     }
     met_.assign(strokes, false);
     return Done{};
@@ -208,8 +214,11 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      job_.record_step(*step, document.world(),
-                       std::chrono::duration<double>(Clock::now() - step_began_).count());
+      if (lasting_[replay.applied() - 1]) {
+        job_.strokes = stroke > 0 ? stroke - 1 : 0;
+        job_.record_step(*step, document.world(),
+                         std::chrono::duration<double>(Clock::now() - step_began_).count());
+      }
     } else {
       warn(step.error().message);
     }
@@ -232,11 +241,10 @@ class ReplayRun {
     return Done{};
   }
 
-  CutSettings first_settings() const {
-    for (const Command& command : work_.journal.commands) {
-      if (const auto* begin = std::get_if<BeginStroke>(&command)) return begin->settings;
-    }
-    return {};
+  static const CutSettings* cut_settings(const Command& command) {
+    if (const auto* begin = std::get_if<BeginStroke>(&command)) return &begin->settings;
+    const auto* recut = std::get_if<Recut>(&command);
+    return recut != nullptr ? &recut->settings : nullptr;
   }
 
   Status judge(const Replay& replay, uint64_t hash) const {
@@ -266,6 +274,7 @@ class ReplayRun {
 
   ReplayArguments arguments_;
   std::optional<uint64_t> expected_;
+  std::optional<CutSettings> first_settings_;  // of the first stroke that lasts
   OpenedFile work_;
   CutJob job_;
   std::optional<Film> film_;

@@ -1,4 +1,5 @@
 // Bodies and pieces of World: adding, inspecting and editing them, simulation, undo.
+#include <algorithm>
 #include <memory>
 
 #include "app/python/arguments.h"
@@ -7,6 +8,9 @@
 namespace kerf::python {
 
 namespace {
+
+// Longest simulation, and that between checks for Ctrl-C [s]; a whole number of ticks.
+constexpr double kMaxSeconds = 3600, kSecondsAtOnce = 0.125;
 
 // A copy of kerf_body_info.
 struct BodyInfo {
@@ -31,7 +35,8 @@ void add_info(py::module_& m) {
     return [member](const BodyInfo& info) { return info.values.*member != 0; };
   };
   py::class_<BodyInfo>(m, "BodyInfo", "Properties of a body when World.info was called.")
-      .def_readonly("name", &BodyInfo::name, "Name.")
+      .def_property_readonly(
+          "name", [](const BodyInfo& info) { return text(info.name); }, "Name.")
       .def_readonly("material", &BodyInfo::material, "A name from `kerf materials`; None for any other.")
       .def_property_readonly("position", vector(&kerf_body_info::position), "Shape (3,), metres.")
       .def_property_readonly("orientation", vector(&kerf_body_info::orientation),
@@ -265,13 +270,18 @@ void add_time(WorldClass& world) {
           "simulate",
           [](World& in, const py::object& seconds) {
             const double time = number_argument(seconds, "seconds");
-            unlocked([&] { in.simulate(time); });
+            const double part = time >= 0 && time <= kMaxSeconds ? kSecondsAtOnce : time;
+            for (double left = time;;) {
+              unlocked([&] { in.simulate(std::min(left, part)); });
+              if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+              if (!((left -= part) > 0)) break;
+            }
           },
           py::arg("seconds"),
           "Simulates rigid bodies and cooling in ticks of 1/120 s; pieces that were cut off become "
           "bodies.\n\n"
           "seconds: 0 to 3600.\n\n"
-          "Raises ValueError for another number, and Busy.")
+          "Raises ValueError for another number, and Busy. Ctrl-C ends it; the time that has passed remains.")
       .def(
           "undo", [](World& in) { return unlocked([&] { return in.undo(); }); },
           "Undoes the last step of the history: a stroke, an added body, an edit, or the simulation since "

@@ -50,6 +50,8 @@ void set_radius(kerf::Stroke& stroke, const py::object& object) {
 }
 void set_range(kerf::Stroke& stroke, const py::object& object) {
   stroke.range = object.is_none() ? std::array<double, 2>{} : range_argument(object);
+  if (!object.is_none() && stroke.range[1] == 0)
+    throw py::value_error("range: the maximum must be greater than 0; None stands for the default");
 }
 void set_power(kerf::Stroke& stroke, const py::object& object) {
   const double power = number_argument(object, "power");
@@ -141,7 +143,7 @@ py::dict attributes_of(const kerf::Mesh& mesh) {
   for (const kerf::Mesh::Attribute& attribute : mesh.attributes()) {
     const auto size = static_cast<py::ssize_t>(attribute.size);
     const auto faces = static_cast<py::ssize_t>(mesh.faces().size() / 3);
-    all[py::str(attribute.name)] = py::array_t<float>({faces, py::ssize_t{3}, size}, attribute.values.data());
+    all[text(attribute.name)] = py::array_t<float>({faces, py::ssize_t{3}, size}, attribute.values.data());
   }
   return all;
 }
@@ -180,21 +182,23 @@ void add_mesh(py::module_& m) {
       .def_property_readonly(
           "face_materials", [](const kerf::Mesh& mesh) { return scalar_view(mesh.face_materials(), mesh); },
           "Indices of the materials of faces, uint16 of shape (m,); empty without materials. Read-only.")
-      .def_property_readonly("material_names", &kerf::Mesh::material_names,
-                             "Names of materials by index, some empty.")
+      .def_property_readonly(
+          "material_names", [](const kerf::Mesh& mesh) { return texts(mesh.material_names()); },
+          "Names of materials by index, some empty.")
       .def_property_readonly(
           "parts",
           [](const kerf::Mesh& mesh) {
             py::list parts;
             for (const kerf::Mesh::Part& part : mesh.parts())
-              parts.append(py::make_tuple(part.name, part.first, part.count));
+              parts.append(py::make_tuple(text(part.name), part.first, part.count));
             return parts;
           },
           "Parts that the file of the mesh names, as tuples (name, first face, number of faces); ranges may "
           "overlap.")
       .def_property_readonly("area", &kerf::Mesh::area, "Area, m^2.")
-      .def_property_readonly("name", &kerf::Mesh::name,
-                             "Name of the piece; empty for a mesh that was read or created.")
+      .def_property_readonly(
+          "name", [](const kerf::Mesh& mesh) { return text(mesh.name()); },
+          "Name of the piece; empty for a mesh that was read or created.")
       .def_property_readonly(
           "mass", [](const kerf::Mesh& mesh) { return mesh.info().mass; },
           "Mass in kg, of the sheet, or of the solid if its body is one and the piece is closed; 0 unless "
@@ -225,8 +229,9 @@ void add_mesh(py::module_& m) {
       .def_property_readonly("euler_number", &kerf::Mesh::euler_number,
                              "Vertices - edges + faces, over welded vertices if the mesh is a piece or was "
                              "read from a file.")
-      .def_property_readonly("warnings", &kerf::Mesh::warnings,
-                             "Warnings of reading the mesh, such as dropped faces: a list of sentences.")
+      .def_property_readonly(
+          "warnings", [](const kerf::Mesh& mesh) { return texts(mesh.warnings()); },
+          "Warnings of reading the mesh, such as dropped faces: a list of sentences.")
       .def_static(
           "decode",
           [](const py::bytes& bytes, const py::object& format, const py::object& progress) {
@@ -374,13 +379,13 @@ void add_exceptions(py::module_& m) {
       const py::tuple values = py::make_tuple(ENOENT, std::strerror(ENOENT), path);
       PyErr_SetObject(classes.file_not_found, values.ptr());
     } catch (const kerf::InvalidArgument& fault) {
-      PyErr_SetString(PyExc_ValueError, fault.what());
+      PyErr_SetObject(PyExc_ValueError, text(fault.what()).ptr());
     } catch (const kerf::Cancelled& fault) {
-      PyErr_SetString(classes.cancelled, fault.what());
+      PyErr_SetObject(classes.cancelled, text(fault.what()).ptr());
     } catch (const kerf::Busy& fault) {
-      PyErr_SetString(classes.busy, fault.what());
+      PyErr_SetObject(classes.busy, text(fault.what()).ptr());
     } catch (const kerf::Error& fault) {
-      PyErr_SetString(classes.error, fault.what());
+      PyErr_SetObject(classes.error, text(fault.what()).ptr());
     }
   });
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,17 @@ auto on_file(const std::string& path, const std::filesystem::path& needed, Work 
     if (std::filesystem::status(needed, error).type() != std::filesystem::file_type::not_found) throw;
     throw MissingFile{path};
   }
+}
+
+// Returns a text whose bytes that are no UTF-8 are replaced: names of files and parts may have some.
+inline py::str text(std::string_view bytes) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
+}
+inline py::list texts(const std::vector<std::string>& all) {
+  py::list list;
+  for (const std::string& bytes : all) list.append(text(bytes));
+  return list;
 }
 
 // Returns the folder that contains a file.

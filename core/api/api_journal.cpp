@@ -53,6 +53,8 @@ class JournalFile {
 
   Status save() {
     const std::vector<Command>& journal = world_.document.journal();
+    inputs_.add_meshes(world_.scene);
+    inputs_.add_meshes(journal);
     generations_.resize(journal.size() + 1);
     for (const size_t i : commands_done(journal)) {
       const auto added = world_.added.find(i);
@@ -107,9 +109,11 @@ class JournalFile {
     const kerf_mesh& m = *added.mesh;
     const bool is_soup = m.looks.any() || m.surfaces || !m.parts.empty();  // more than OBJ holds
     char ending[24];
-    std::snprintf(ending, sizeof ending, "-mesh-%04zu.", world_.scene.bodies.size() + ++meshes_);
-    body.mesh = file_.parent_path() /
-                (file_.stem().string() + ending + (is_soup ? std::string(kSoupFileEnding) : "obj"));
+    do {
+      std::snprintf(ending, sizeof ending, "-mesh-%04zu.", world_.scene.bodies.size() + ++meshes_);
+      body.mesh = file_.parent_path() /
+                  (file_.stem().string() + ending + (is_soup ? std::string(kSoupFileEnding) : "obj"));
+    } while (!inputs_.check("", body.mesh));
     body.name = added.name;
     body.sheet = added.sheet;
     body.placement = added.placement;
@@ -151,6 +155,7 @@ class JournalFile {
   std::vector<Command> waiting_;       // of the last added bodies
   std::vector<uint32_t> generations_;  // in the file, by generation in the world
   size_t meshes_ = 0;
+  InputFiles inputs_;     // which are not overwritten
   bool in_scene_ = true;  // only bodies were added so far
 };
 

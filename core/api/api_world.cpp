@@ -195,16 +195,23 @@ Status replay_journal(const Journal& journal, kerf_world& world, const Progress&
   Replay replay(journal, world.document);
   QueueRun how;
   how.progress = &progress;
+  size_t followed = 0;  // commands
   how.told = [&](const Result<StepResult>& step) -> Status {
     if (!step || replay.applied() == 0) return Done{};
     const size_t i = replay.applied() - 1;
     const Command& command = journal.commands[i];
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
+      // A stroke that is undone next is not executed, but replaces the steps that could be redone.
+      const auto begins = [](const Command& c) { return std::holds_alternative<BeginStroke>(c); };
+      const size_t position = world.document.history().position();
+      if (followed < i && std::any_of(&journal.commands[followed], &command, begins))
+        world.kept.resize(std::min(world.kept.size(), position + 1));
       world.restore();
-      return Done{};
+    } else if (std::holds_alternative<AddMesh>(command)) {
+      record_added(world, journal.commands, i, step->delta);
     }
-    if (std::holds_alternative<AddMesh>(command)) record_added(world, journal.commands, i, step->delta);
     world.keep();
+    followed = i + 1;
     return Done{};
   };
   if (const Status done = replay.run(how); !done) return done;

@@ -238,6 +238,15 @@ Burn::Burn(World& world, const CutSettings& settings, std::vector<BurnedBody>& b
       bundle_(ray_bundle(settings.laser.pattern, face)),
       is_fine_(std::move(is_fine)) {}
 
+// A beam without a wavelength has the usual one of the first body.
+Pose Burn::ray_of(const BundleRay& ray, const Pose& pose) const {
+  if (settings_.laser.wavelength > 0 || !settings_.laser.focus || bodies_.empty())
+    return ray_at(settings_.laser, ray, pose);
+  Laser laser = settings_.laser;
+  laser.wavelength = world_.body(bodies_.front().id).sheet.substance.wavelength;
+  return ray_at(laser, ray, pose);
+}
+
 void Burn::emit(const Pose& pose, double joules) {
   KERF_ASSERT(joules >= 0);
   EnergyLedger& ledger = world_.edit_energy();
@@ -245,7 +254,7 @@ void Burn::emit(const Pose& pose, double joules) {
   double absorbed = 0, waits = 0;
   pose_hits_.clear();
   for (const BundleRay& ray : turned_bundle(bundle_, ledger.poses++)) {
-    waits += emit_ray(ray_at(settings_.laser, ray, pose), joules * ray.share, pose, absorbed);
+    waits += emit_ray(ray_of(ray, pose), joules * ray.share, pose, absorbed);
   }
   ledger.absorbed += absorbed;
   ledger.escaped += joules - absorbed - waits;
@@ -353,7 +362,7 @@ void Burn::burn(double area, double speed) {
 std::optional<double> Burn::reach(const Pose& pose) {
   std::optional<double> farthest;
   for (const BundleRay& ray : bundle_) {
-    find_hits(ray_at(settings_.laser, ray, pose));
+    find_hits(ray_of(ray, pose));
     if (!ray_hits_.empty()) farthest = std::max(farthest.value_or(0), ray_hits_.front().length);
   }
   return farthest;

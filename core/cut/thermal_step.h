@@ -66,6 +66,7 @@ class Burn {
     double joules;
     double aside;  // distance of the face from the axis [m]
   };
+  Pose ray_of(const BundleRay& ray, const Pose& pose) const;
   void find_hits(const Pose& ray);
   bool is_removed(const Meeting& at) const { return bodies_[at.body].removed_slots.contains(at.face.index); }
   double emit_ray(const Pose& ray, double joules, const Pose& axis, double& absorbed);

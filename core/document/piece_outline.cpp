@@ -54,16 +54,19 @@ class OutlineTracer {
       double area;
     };
     std::vector<Side> sides;
+    size_t others = 0;  // faces in a row of no side: a curved piece has hardly any others
     for (const Vec3& area : areas) {
       const double length = glm::length(area);
-      if (!(length > 0)) break;
+      if (!(length > 0) || others == kMostSummed) break;
       const auto same = std::ranges::find_if(sides, [&](const Side& side) {
         return std::abs(glm::dot(side.normal, area)) >= kCoplanar * length;
       });
-      if (same != sides.end())
+      others = same == sides.end() && sides.size() == kMostSummed ? others + 1 : 0;
+      if (same != sides.end()) {
         same->area += length;
-      else if (sides.size() < kMostSummed)
+      } else if (sides.size() < kMostSummed) {
         sides.push_back({area / length, length});
+      }
     }
     std::ranges::stable_sort(sides, std::greater(), &Side::area);
     for (size_t i = 0; i < std::min(sides.size(), kMost); ++i) found.push_back(sides[i].normal);

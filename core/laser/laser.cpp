@@ -80,7 +80,7 @@ std::vector<BundleRay> gaussian_bundle(int halvings) {
 double emitted_energy(const Laser& laser, double from, double to) {
   KERF_ASSERT(0 <= from && from <= to && laser.power > 0 && laser.duty > 0 && laser.duty <= 1);
   if (laser.pulse_rate <= 0 || laser.duty >= 1) return laser.power * (to - from);
-  return laser.power * (seconds_on(laser, to) - seconds_on(laser, from));
+  return laser.power * std::max(0.0, seconds_on(laser, to) - seconds_on(laser, from));
 }
 
 // Starts from the world axis least parallel to d.

@@ -43,7 +43,9 @@ TEST(History, a_cancelled_cut_keeps_what_was_undone) {
 TEST(History, a_cut_is_cancelled_at_any_point) {
   World world;
   world.add(sheet(10));
-  world.cut(across(0.3));
+  Stroke wide = across(0.3), other = across(0.7);
+  wide.radius = other.radius = 0.05;
+  world.cut(wide);
   const std::string cut = world.hash();
   EXPECT_TRUE(world.undo());
   const std::string whole = world.hash();
@@ -53,7 +55,7 @@ TEST(History, a_cut_is_cancelled_at_any_point) {
   for (bool cancelled = true; cancelled; ++allowed) {
     int left = allowed;
     try {
-      world.cut(across(0.7), settings, {[&](double) { return left-- > 0; }, 0});
+      world.cut(other, settings, {[&](double) { return left-- > 0; }, 0});
       cancelled = false;
     } catch (const Cancelled&) {
       ASSERT_EQ(world.hash(), whole) << allowed;

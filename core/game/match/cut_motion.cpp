@@ -72,7 +72,7 @@ std::optional<Vec3> side_to_tip(const Body& body, const CutTrail* trail) {
 // Turns a body about a place below it, with its top to the side (unit). Another cut does not turn it faster.
 void tip_over(Body& body, const Vec3& about, const Vec3& side) {
   KERF_ASSERT(is_unit(side));
-  if (glm::dot(body.motion.spin, glm::cross(Vec3(0, 1, 0), side)) >= kTip) return;
+  if (glm::dot(body.motion.spin, glm::cross(Vec3(0, 1, 0), side)) >= 0.5 * kTip) return;
   const Vec3 arm = centre_of(body) - body.placement.position;
   const double height = std::max(0.0, centre_of(body).y - about.y);
   body.motion.wake();

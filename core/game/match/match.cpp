@@ -34,7 +34,7 @@ bool has_room(const Vec3& place, const FreeSpace& space, std::span<const Disc> t
 bool fits(const Vec3& place, double heading, const FreeSpace& space) {
   constexpr double kEnds = 1.8, kEven = 0.1;  // m, of the middle
   if (space.spots() == 0) return true;
-  return std::ranges::all_of(std::array{-kEnds, 0.0, kEnds}, [&](double along) {
+  return std::ranges::all_of(std::array{-kEnds, -0.5 * kEnds, 0.0, 0.5 * kEnds, kEnds}, [&](double along) {
     const FreeSpace::Spot spot = space.spot_at(place + along * direction_of(wrapped(heading), 0));
     return space.has_room(spot) && std::abs(space.place_of(spot).y - place.y) <= kEven;
   });

@@ -36,7 +36,7 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
 inline constexpr size_t kMaxLibraries = 64;
 
 // Returns the libraries of an OBJ file and the images that they name, those that exist in its folder. Reads
-// all lines of the file.
+// the lines of the file up to its last library that the reader does not ignore.
 std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file);
 
 // Reads an image that a file in this folder refers to (see read_side_file). If it cannot be read, its bytes

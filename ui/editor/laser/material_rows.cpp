@@ -474,9 +474,13 @@ std::string forecast_text(const LaserControls& laser, const SheetHit& met, doubl
   if (met.slant > kSlanted)
     thickness += text_of(" (%.3g mm along the beam)", 1000 * met.slant * met.sheet.thickness);
   const LumpedCut cut = met.balance(laser.beam());
-  if (speed > 0)
+  if (speed > 0) {
+    const double cuts = cut_thickness(cut, speed);
     return watts + " at " + length_label(speed, unit) + "/s cuts " +
-           text_of("%.2g mm", 1000 * cut_thickness(cut, speed)) + "; this sheet is " + thickness;
+           (std::isfinite(cuts) ? text_of("%.2g mm", 1000 * cuts)
+                                : "any thickness, because the metal burns") +
+           "; this sheet is " + thickness;
+  }
   const double fastest = cutting_speed(cut, met.sheet.thickness);
   if (fastest <= 0) return watts + " is too little to cut " + thickness + " with this beam width";
   return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s";

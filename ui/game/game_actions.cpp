@@ -76,7 +76,7 @@ std::string key_label(int key) {
     default:
       break;
   }
-  const std::string text = chord_text({key, 0});
+  const std::string text = chord_text({character_key(key), 0});
   return text.empty() ? "Key " + std::to_string(key) : text;
 }
 

@@ -39,7 +39,7 @@ inline constexpr int kRightTrigger = 100, kLeftTrigger = 101;  // in addition to
 
 const ActionKeys& action_keys(GameAction action);
 
-// The keys of the player (GLFW_KEY_*), by action.
+// The keys of the player, by action, as places on a US keyboard (GLFW_KEY_*).
 using KeyBindings = std::array<int, kGameActions>;
 KeyBindings default_bindings();
 
@@ -50,7 +50,8 @@ std::optional<GameAction> action_of_key(int key, const KeyBindings& bindings);
 // action is left without one. No-op for keys that have a fixed function, and for Esc.
 void bind(GameAction action, int key, KeyBindings& bindings);
 
-// "W", "Space", "Left Shift"; "Key 96" for a key without a name.
+// The label of a key, given its place, in the current layout of the keyboard: "W", "Space", "Left Shift";
+// "Key 96" for a key without a name.
 std::string key_label(int key);
 
 // The key of an action, or its button on a gamepad.

@@ -171,7 +171,7 @@ void GameScreen::handle_gamepad() {
   }
   for (const auto& [button, key] : kMenuKeys) {
     InputEvent event;
-    event.button = key;
+    event.button = event.place = key;
     if (is_new(button)) handle_key(event);
   }
 }
@@ -211,7 +211,7 @@ void GameScreen::navigate(int key, int mods) {
 void GameScreen::handle_key(const InputEvent& event) {
   const int key = event.button;
   if (rebound_) {
-    if (key != GLFW_KEY_ESCAPE) bind(*rebound_, key, settings_.keys);
+    if (key != GLFW_KEY_ESCAPE) bind(*rebound_, event.place, settings_.keys);
     return rebound_.reset();
   }
   if (can_upgrade() && key >= GLFW_KEY_1 && key < GLFW_KEY_1 + Controls::kUpgrades)
@@ -224,11 +224,12 @@ void GameScreen::handle_key(const InputEvent& event) {
   }
   if (state_ == State::kPlaying) {
     if (lesson_ && (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)) return end_lesson();
-    const auto action = action_of_key(key, settings_.keys);
+    const auto action = action_of_key(event.place, settings_.keys);
     return action ? handle_action(*action) : void();
   }
   if (key == GLFW_KEY_ESCAPE) return escape();
-  if (state_ == State::kPaused && action_of_key(key, settings_.keys) == GameAction::kPause) return escape();
+  if (state_ == State::kPaused && action_of_key(event.place, settings_.keys) == GameAction::kPause)
+    return escape();
   if (asked_ != MenuChoice::kNone) return navigate(key, event.mods);
   if (key == GLFW_KEY_R && state_ != State::kStart) return take(MenuChoice::kRestart);
   if (key == GLFW_KEY_B && state_ == State::kOver) return begin_replay();

@@ -164,7 +164,7 @@ void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSe
   using Kind = InputEvent::Kind;
   for (const InputEvent& event : events) {
     const bool is_key = event.kind == Kind::kKey || event.kind == Kind::kKeyUp;
-    const auto action = is_key ? action_of_key(event.button, settings.keys) : action_of_button(event.button);
+    const auto action = is_key ? action_of_key(event.place, settings.keys) : action_of_button(event.button);
     switch (event.kind) {
       case Kind::kMove:
         handle_motion(event, settings);

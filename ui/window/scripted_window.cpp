@@ -209,7 +209,7 @@ InputEvent& VirtualInput::put(InputEvent::Kind kind, int button) {
   InputEvent event;
   event.kind = kind;
   event.at = pointer_;
-  event.button = button;
+  event.button = event.place = button;
   event.mods = mods();
   return input_state_.events.emplace_back(event);
 }

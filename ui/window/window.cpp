@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -53,6 +54,7 @@ class DesktopWindow final : public Window {
   Clock clock_;
   std::vector<InputEvent> events_;
   std::vector<std::filesystem::path> drops_;
+  std::map<int, int> keys_;  // the key of each place at its last press
   bool activity_ = true, has_gui_ = false;
   Vec2 pointer_{0};      // at the last event
   double listened_ = 0;  // s, end of the last call of wait()
@@ -150,6 +152,19 @@ std::optional<KeyChord> parse_chord(std::string_view text) {
   return std::nullopt;
 }
 
+int character_key(int place, const char* name) {
+  const bool is_digit = place >= GLFW_KEY_0 && place <= GLFW_KEY_9;
+  if (place < GLFW_KEY_APOSTROPHE || place > GLFW_KEY_WORLD_2 || is_digit) return place;
+  if (name == nullptr || name[0] == '\0' || name[1] != '\0') return place;
+  if (name[0] >= 'a' && name[0] <= 'z') return GLFW_KEY_A + (name[0] - 'a');
+  constexpr std::string_view kOthers = "'`,-./;=[]\\0123456789";  // GLFW's keys are these characters
+  return kOthers.find(name[0]) != std::string_view::npos ? name[0] : place;
+}
+
+int character_key(int place) {
+  return character_key(place, place == GLFW_KEY_UNKNOWN ? nullptr : glfwGetKeyName(place, 0));
+}
+
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
 Area pixels_of(const Area& area, const Window& window) {
@@ -217,9 +232,20 @@ struct DesktopWindow::Callbacks {
   static void scroll(GLFWwindow* w, double x, double y) {
     put(w, {.kind = InputEvent::Kind::kWheel, .at = pointer(w), .wheel = y, .wheel_aside = x});
   }
-  static void key(GLFWwindow* w, int key, int, int action, int mods) {
+  // The layout may change while a key is held.
+  static int key_at(GLFWwindow* w, int place, int action) {
+    const auto [key, is_new] = of(w).keys_.try_emplace(place);
+    if (is_new || action == GLFW_PRESS) key->second = character_key(place);
+    return key->second;
+  }
+  static void key(GLFWwindow* w, int place, int, int action, int mods) {
     const auto kind = action == GLFW_RELEASE ? InputEvent::Kind::kKeyUp : InputEvent::Kind::kKey;
-    put(w, {kind, pointer(w), key, mods, 0, action == GLFW_REPEAT});
+    put(w, {.kind = kind,
+            .at = pointer(w),
+            .button = key_at(w, place, action),
+            .mods = mods,
+            .again = action == GLFW_REPEAT,
+            .place = place});
   }
   static void character(GLFWwindow* w, unsigned character) {
     put(w, {.kind = InputEvent::Kind::kText, .at = pointer(w), .character = character});

@@ -20,13 +20,14 @@ struct InputEvent {
   enum class Kind { kMove, kPress, kRelease, kWheel, kKey, kKeyUp, kText };
   Kind kind = Kind::kMove;
   Vec2 at{0};              // of the pointer
-  int button = 0;          // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*)
+  int button = 0;          // GLFW_MOUSE_BUTTON_*, or the key (GLFW_KEY_*) of the character on it
   int mods = 0;            // GLFW_MOD_*
   double wheel = 0;        // notches, positive away from the user
   bool again = false;      // a repetition of a held key
   double wheel_aside = 0;  // notches, positive to the right
   unsigned character = 0;  // of kText, a code point
   double seconds = 0;      // time of the event by the clock of the window
+  int place = 0;           // of a key: its place on a US keyboard (GLFW_KEY_*), for the controls of the game
 };
 
 // Spreads the times of events evenly over an interval [s] if only their order is known; the last event gets
@@ -44,6 +45,14 @@ std::string chord_text(const KeyChord& chord);
 
 // The inverse of chord_text(); nullopt if the text names no chord.
 std::optional<KeyChord> parse_chord(std::string_view text);
+
+// Returns the key (GLFW_KEY_*) of the character on a key, so that shortcuts follow the layout of the
+// keyboard. `place` is the place of the key on a US keyboard (GLFW_KEY_*), `name` its name by GLFW or null.
+// Keys of the digit row, and keys with characters that have no GLFW_KEY_*, keep their place.
+int character_key(int place, const char* name);
+
+// The same in the current layout of the keyboard. Returns `place` if GLFW is not initialised.
+int character_key(int place);
 
 // Returns true if the key (GLFW_KEY_*) is Shift, Ctrl, Alt or Super.
 bool is_modifier(int key);
@@ -83,7 +92,7 @@ class Window {
   // Returns true if the window received anything since the last call: events, resizing or exposure.
   virtual bool take_activity() = 0;
 
-  virtual bool is_key_held(int key) const = 0;        // GLFW_KEY_*
+  virtual bool is_key_held(int key) const = 0;        // GLFW_KEY_*, by place
   virtual bool is_button_held(int button) const = 0;  // GLFW_MOUSE_BUTTON_*
   virtual bool has_focus() const = 0;
   // Hides and captures the pointer, for unlimited movement, or releases it.

@@ -19,7 +19,7 @@ InputEvent moved_to(double x, double y) {
 InputEvent event_of(InputEvent::Kind kind, int button) {
   InputEvent event;
   event.kind = kind;
-  event.button = button;
+  event.button = event.place = button;
   return event;
 }
 

@@ -18,8 +18,9 @@ namespace kerf {
 
 class DesktopWindow final : public Window {
  public:
-  // Opens a window of a size in screen coordinates. Fails if there is no display or no OpenGL 3.3.
-  static Result<std::unique_ptr<Window>> open(int width, int height, const std::string& title);
+  // Opens a window of a size in screen coordinates, which `scaled` multiplies by the scale of the display if
+  // these are its pixels. Fails if there is no display or no OpenGL 3.3.
+  static Result<std::unique_ptr<Window>> open(int width, int height, bool scaled, const std::string& title);
   ~DesktopWindow() override;
 
   Vec2 size() const override;
@@ -174,8 +175,10 @@ Area pixels_of(const Area& area, const Window& window) {
 }
 
 Result<std::unique_ptr<Window>> open_window(const WindowOptions& options) {
-  if (options.events) return ScriptedWindow::open(*options.events, options.width, options.height);
-  return DesktopWindow::open(options.width, options.height, "Kerf");
+  const bool is_default = options.width == 0 || options.height == 0;
+  const int width = is_default ? 1280 : options.width, height = is_default ? 800 : options.height;
+  if (options.events) return ScriptedWindow::open(*options.events, width, height);
+  return DesktopWindow::open(width, height, is_default, "Kerf");
 }
 
 Pixels window_pixels(Vec2 window, const Area& part) {
@@ -285,25 +288,29 @@ DesktopWindow::~DesktopWindow() {
   glfwTerminate();
 }
 
-// Limits a size to the work area of the screen.
-static void fit_into_screen(int& width, int& height) {
+// Limits a size to the work area of the screen, also after a multiplication by the scale of the screen.
+static void fit_into_screen(int& width, int& height, bool scaled) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (screen == nullptr) return;
   int x = 0, y = 0, wide = 0, high = 0;
   glfwGetMonitorWorkarea(screen, &x, &y, &wide, &high);
-  if (wide > 0) width = std::min(width, wide);
-  if (high > 0) height = std::min(height, high);
+  float across = 1, down = 1;
+  if (scaled) glfwGetMonitorContentScale(screen, &across, &down);
+  const auto limit = [](int size, float scale) { return static_cast<int>(static_cast<float>(size) / scale); };
+  if (wide > 0 && across >= 1) width = std::min(width, limit(wide, across));
+  if (high > 0 && down >= 1) height = std::min(height, limit(high, down));
 }
 
-Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, const std::string& title) {
+Result<std::unique_ptr<Window>> DesktopWindow::open(int width, int height, bool scaled,
+                                                    const std::string& title) {
   glfwSetErrorCallback(nullptr);
   if (!glfwInit())
     return failed("there is no display for a window; use `kerf render` or `kerf play --headless`");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  fit_into_screen(width, height);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, scaled ? GLFW_TRUE : GLFW_FALSE);
+  fit_into_screen(width, height, scaled);
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
     glfwTerminate();

@@ -117,12 +117,12 @@ class Window {
 Area pixels_of(const Area& area, const Window& window);
 
 struct WindowOptions {
-  int width = 0, height = 0;                    // screen coordinates
+  int width = 0, height = 0;                    // screen coordinates; 0: 1280x800 at the scale of the display
   std::optional<std::filesystem::path> events;  // the script of a window without a screen (see EventScript)
 };
 
-// Opens a desktop window, or a scripted one. Fails if there is no display or no OpenGL 3.3, or if the
-// script cannot be read.
+// Opens a desktop window, or a scripted one, whose scale is 1. Fails if there is no display or no OpenGL 3.3,
+// or if the script cannot be read.
 Result<std::unique_ptr<Window>> open_window(const WindowOptions& options);
 
 // Returns a part of the window (in pixels of the framebuffer, from its upper left corner) as drawn so far.

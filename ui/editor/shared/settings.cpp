@@ -313,8 +313,9 @@ static void describe(KeptFields& f, Settings& s) {
   f.number("side_width", s.side_ems, Settings::kMinSide, Settings::kMaxSide);
   f.number("second_width", s.second_ems, Settings::kMinSide, Settings::kMaxSide);
   f.number("strip_height", s.strip_ems, Settings::kMinStrip, Settings::kMaxStrip);
-  f.number("width", s.width, kMinWindow, kMaxWindow);
-  f.number("height", s.height, kMinWindow, kMaxWindow);
+  f.number("width", s.width, 0, kMaxWindow);
+  f.number("height", s.height, 0, kMaxWindow);
+  for (int* size : {&s.width, &s.height}) *size = *size == 0 ? 0 : std::max(*size, kMinWindow);
   f.number("split_share", s.split_share, 0, 1);
   f.flag("side_shown", s.side_shown);
   f.flag("toolbar_shown", s.toolbar_shown);

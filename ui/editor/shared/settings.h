@@ -25,11 +25,11 @@ struct Settings {
   Theme theme = Theme::kDark;
   double ui_scale = 1;  // relative to the scale of the display
   bool side_shown = true;
-  bool toolbar_shown = true;       // the tools at the edge of the viewport
-  double side_ems = 21;            // width of the sidebar, sizes of the text
-  double second_ems = 21;          // width of the second column, likewise
-  double strip_ems = 22;           // height of the strip, likewise
-  int width = 1280, height = 800;  // of the window, screen coordinates
+  bool toolbar_shown = true;  // the tools at the edge of the viewport
+  double side_ems = 21;       // width of the sidebar, sizes of the text
+  double second_ems = 21;     // width of the second column, likewise
+  double strip_ems = 22;      // height of the strip, likewise
+  int width = 0, height = 0;  // of the window, screen coordinates; 0: none yet (see WindowOptions)
   BoxPalette palette = BoxPalette::kRedAndGreen;
   bool antialias = true;
   double split_share = 0.5;                // share of the left half in the width of a split view

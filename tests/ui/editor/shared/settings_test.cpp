@@ -105,7 +105,7 @@ TEST_F(SettingsTest, invalid_values_become_defaults) {
   EXPECT_EQ(settings.ui_scale, Settings::kMaxScale);
   EXPECT_EQ(settings.side_ems, Settings().side_ems);
   EXPECT_EQ(settings.recent, std::vector<fs::path>{"/b.obj"});
-  EXPECT_GE(settings.width, 480);
+  EXPECT_EQ(settings.width, 0);
 }
 
 TEST(RecentFiles, are_the_ten_latest_without_duplicates) {

@@ -335,9 +335,12 @@ Vec2 DesktopWindow::pixel_size() const {
   return {w, h};
 }
 
+// Under Wayland a screen coordinate has several pixels, and the size of text is in screen coordinates.
 float DesktopWindow::scale() const {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window_, &x, &y);
+  const double width = size().x, pixels = pixel_size().x;
+  if (width > 0 && pixels > 0) x *= static_cast<float>(width / pixels);
   return std::clamp(x, 0.75f, 4.0f);
 }
 

@@ -78,7 +78,7 @@ class Window {
 
   virtual Vec2 size() const = 0;        // screen coordinates
   virtual Vec2 pixel_size() const = 0;  // of the framebuffer
-  virtual float scale() const = 0;      // of text, as suggested by the display
+  virtual float scale() const = 0;      // of text in screen coordinates, as suggested by the display
   virtual void set_title(const std::string& title) = 0;
   virtual void swap() = 0;
 

@@ -21,6 +21,18 @@ constexpr std::array kFonts{
 constexpr float kTextPixels = 15.5f;
 constexpr float kOwnTextPixels = 13;  // design size of ImGui's own font
 constexpr float kLarge = 2;           // size of the large font, in that of the text
+constexpr float kSharpPixels = 36;    // from this size on, glyphs look alike at all fractions of a pixel
+
+// Latin, Greek, Cyrillic, punctuation and currencies: the text font draws names of files and pieces. The
+// large font draws only texts of Kerf itself.
+constexpr ImWchar kRanges[] = {0x20, 0x24f, 0x370, 0x52f, 0x1e00, 0x1eff, 0x2000, 0x206f, 0x20a0, 0x20bf, 0};
+
+// The atlas of both fonts has 1024x1024 pixels at scale 1 and 4096x4096 at scale 8.
+ImFont* add_font(ImFontAtlas& fonts, const char* file, float pixels, const ImWchar* ranges) {
+  ImFontConfig config;
+  if (pixels > kSharpPixels) config.OversampleH = 1;
+  return fonts.AddFontFromFileTTF(file, pixels, &config, ranges);
+}
 
 void load_font(float scale, bool own_font) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
@@ -28,8 +40,8 @@ void load_font(float scale, bool own_font) {
   std::error_code ignored;
   for (const char* file : kFonts) {
     if (own_font || !std::filesystem::exists(file, ignored)) continue;
-    if (fonts.AddFontFromFileTTF(file, std::round(kTextPixels * scale)) == nullptr) continue;
-    fonts.AddFontFromFileTTF(file, std::round(kLarge * kTextPixels * scale));
+    if (add_font(fonts, file, std::round(kTextPixels * scale), kRanges) == nullptr) continue;
+    add_font(fonts, file, std::round(kLarge * kTextPixels * scale), nullptr);
     return;
   }
   ImFontConfig own;

@@ -14,8 +14,9 @@ void main() {
   vec2 aspect = vec2(viewport.x * viewport.w, 1.0);
   vec2 along = (head.xy / max(head.w, 1e-6) - tail.xy / max(tail.w, 1e-6)) * aspect;
   along = dot(along, along) > 1e-12 ? normalize(along) : vec2(0.0, 1.0);
-  // The width as a share of the picture's height, in clip coordinates of a place at distance w.
-  float width = max(look_in.x / camera_up.w, 1.5 * viewport.w * head.w);
+  // Half the width in clip coordinates, in orthographic views as in perspective ones.
+  float scale = length(vec3(clip_from_frame[0].y, clip_from_frame[1].y, clip_from_frame[2].y));
+  float width = max(look_in.x * scale, 1.5 * viewport.w * head.w);
   vec4 end = corner.y < 0.0 ? tail : head;
   vec2 side = vec2(-along.y, along.x) * corner.x + along * corner.y;
   gl_Position = end.w > 0.0 ? end + vec4(side * width / aspect, 0.0, 0.0) : vec4(0.0, 0.0, 2.0, 1.0);

@@ -385,12 +385,15 @@ Result<MatchFrames> MatchFrames::open(const std::filesystem::path& folder, int w
   if (!frame.complete())
     return bad_input("--size: this machine does not support images of " + std::to_string(width) + "x" +
                      std::to_string(height));
-  return MatchFrames{std::move(*context), std::move(*picture), std::move(frame), folder};
+  const auto antialias = affordable_antialias(width, height, true);
+  if (!antialias) return antialias.error();
+  const PicturePreset preset = *antialias ? PicturePreset::kHigh : PicturePreset::kMedium;
+  return MatchFrames{std::move(*context), std::move(*picture), std::move(frame), folder, preset};
 }
 
 Status MatchFrames::take(const Match& match, const CameraView& view) {
   const int width = frame.shape().width, height = frame.shape().height;
-  picture.draw(match, view, {frame.name(), 0, 0, width, height}, PicturePreset::kHigh);
+  picture.draw(match, view, {frame.name(), 0, 0, width, height}, preset);
   return write_png(read_pixels(frame.name(), width, height), frame_file(folder, taken++));
 }
 

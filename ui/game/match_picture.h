@@ -229,6 +229,7 @@ struct MatchFrames {
   MatchPicture picture;
   gl::Framebuffer frame;
   std::filesystem::path folder;
+  PicturePreset preset = PicturePreset::kHigh;  // kMedium if the memory of OpenGL suffices only for that
   size_t taken = 0;
 
   // Fails if OpenGL is not available or does not support the size. Precondition: the folder exists.

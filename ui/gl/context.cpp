@@ -70,6 +70,10 @@ void report_gl_errors() {
   glDebugMessageCallback(fail, nullptr);
 }
 
+void ignore_gl_errors() {
+  if (asserts_are_fatal() && epoxy_has_gl_extension("GL_KHR_debug")) glDisable(GL_DEBUG_OUTPUT);
+}
+
 struct OffscreenContext::Handles {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLConfig config = nullptr;

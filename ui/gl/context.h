@@ -12,6 +12,9 @@ namespace kerf::gl {
 // has no debug output, does nothing.
 void report_gl_errors();
 
+// Stops report_gl_errors() for the current context, until its next call.
+void ignore_gl_errors();
+
 // Returns the name of the renderer of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
 std::string renderer_name();
 

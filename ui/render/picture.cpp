@@ -131,6 +131,8 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
   if (!context) return context.error();
   gl::Framebuffer picture({options.width, options.height, 1, false});
   if (!picture.complete()) return failed("OpenGL has no memory for an image of this size; use a smaller one");
+  const auto antialias = affordable_antialias(options.width, options.height, options.antialias);
+  if (!antialias) return antialias.error();
   auto made = Renderer::create();
   if (!made) return made.error();
 
@@ -140,7 +142,7 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
   renderer.look_.show = options.show;
   renderer.look_.section =
       options.section.value_or(section_through(scene.world.bounds(), -renderer.view_.forward));
-  renderer.look_.antialias = options.antialias;
+  renderer.look_.antialias = *antialias;
   renderer.look_.mark_scale = options.mark_scale;
   renderer.look_.legends = options.legends;
   if (!scene.lights.empty()) renderer.look_.lights = scene.lights;

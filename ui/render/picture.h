@@ -30,10 +30,10 @@ struct PictureOptions {
   ShowOptions show;
   std::optional<SectionPlane> section;  // of ShowOptions::section; if empty, through the middle
   double spread = 0;                    // factor of the exploded view; see spread_pieces()
-  bool antialias = true;
-  double mark_scale = 1;  // see ViewOptions
-  bool legends = true;    // see ViewOptions
-  bool beam = false;      // draws the beam of the last stroke at its end
+  bool antialias = true;                // as far as the memory of OpenGL suffices
+  double mark_scale = 1;                // see ViewOptions
+  bool legends = true;                  // see ViewOptions
+  bool beam = false;                    // draws the beam of the last stroke at its end
 };
 
 // Returns the options of an image of this size for a scene. The error names `file`, the scene's.

@@ -8,6 +8,7 @@
 #include "core/heat/black_body.h"
 #include "core/mesh/looks.h"
 #include "ui/gl/buffers.h"
+#include "ui/gl/context.h"
 #include "ui/gl/program.h"
 #include "ui/render/passes/heat_colours.h"
 
@@ -26,7 +27,29 @@ glm::mat4 shifted(const glm::mat4& clip_from_frame, const Target& target) {
   return shift * clip_from_frame;
 }
 
+constexpr int64_t kSurelyHeld = 4096 * 4096;  // pixels
+
+// Returns true if OpenGL has memory for the largest framebuffers of a frame: the canvas and its resolved copy
+// (see Renderer::select_canvas), and the light in linear colours (see LitScene).
+bool holds_canvases(int width, int height, bool antialias) {
+  using gl::Framebuffer;
+  const Framebuffer drawn({width, height, antialias ? kSamples : 1, true});
+  if (!drawn.complete()) return false;
+  const Framebuffer linear({width, height, 1, false, GL_RGBA16F}, drawn);
+  return linear.complete() && (!antialias || Framebuffer({width, height, 1, false}).complete());
+}
+
 }  // namespace
+
+Result<bool> affordable_antialias(int width, int height, bool wanted) {
+  if (int64_t{width} * height <= kSurelyHeld) return wanted;
+  gl::ignore_gl_errors();  // such as a lack of memory
+  const bool as_wanted = holds_canvases(width, height, wanted);
+  const bool at_all = as_wanted || (wanted && holds_canvases(width, height, false));
+  gl::report_gl_errors();
+  if (!at_all) return failed("OpenGL has no memory for an image of this size; use a smaller one");
+  return wanted && as_wanted;
+}
 
 Renderer::Renderer(Shaders& shaders)
     : passes_{LitScene(shaders),    BloomPass(shaders),     BeamPass(shaders),      EffectsPass(shaders),

@@ -24,6 +24,11 @@
 
 namespace kerf {
 
+// Returns `wanted` if the memory of OpenGL suffices for images of this size [pixels] with this choice of
+// anti-aliasing, and false if it suffices only without. Fails if it does not suffice at all. Precondition: an
+// OpenGL 3.3 context is current.
+Result<bool> affordable_antialias(int width, int height, bool wanted);
+
 // Draws a world. Precondition: an OpenGL 3.3 context is current and outlives the renderer; no window is
 // needed.
 class Renderer {

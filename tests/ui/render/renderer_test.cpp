@@ -162,5 +162,18 @@ TEST(Renderer, each_shading_mode_differs_and_by_angle_is_restored) {
   EXPECT_EQ(draw(Shading::kByAngle).rgb, before.rgb);
 }
 
+TEST(Antialias, is_as_wanted_for_small_images_and_fails_beyond_the_memory) {
+  const auto context = gl::OffscreenContext::create();
+  ASSERT_TRUE(context.ok());
+  for (const bool wanted : {false, true}) {
+    const auto small = affordable_antialias(kRenderWidth, kRenderHeight, wanted);
+    ASSERT_TRUE(small.ok());
+    EXPECT_EQ(*small, wanted);
+    const auto huge = affordable_antialias(1'000'000, 1000, wanted);
+    ASSERT_FALSE(huge.ok());
+    EXPECT_NE(huge.error().message.find("use a smaller one"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -45,7 +45,7 @@ class OutlineTracer {
   // Returns the normals along which most area lies: sides of a plate may have faces larger than its top, and
   // a round plate has many of them.
   std::vector<Vec3> normals() const {
-    constexpr size_t kMost = 16, kMostSummed = 256;
+    constexpr size_t kMost = 16, kMaxSides = 256;
     std::vector<Vec3> areas, found;
     for (const auto& t : piece_.triangles) areas.push_back(area_of(t));
     std::ranges::stable_sort(areas, std::greater(), [](const Vec3& area) { return glm::dot(area, area); });
@@ -57,14 +57,14 @@ class OutlineTracer {
     size_t others = 0;  // faces in a row of no side: a curved piece has hardly any others
     for (const Vec3& area : areas) {
       const double length = glm::length(area);
-      if (!(length > 0) || others == kMostSummed) break;
+      if (!(length > 0) || others == kMaxSides) break;
       const auto same = std::ranges::find_if(sides, [&](const Side& side) {
         return std::abs(glm::dot(side.normal, area)) >= kCoplanar * length;
       });
-      others = same == sides.end() && sides.size() == kMostSummed ? others + 1 : 0;
+      others = same == sides.end() && sides.size() == kMaxSides ? others + 1 : 0;
       if (same != sides.end()) {
         same->area += length;
-      } else if (sides.size() < kMostSummed) {
+      } else if (sides.size() < kMaxSides) {
         sides.push_back({area / length, length});
       }
     }

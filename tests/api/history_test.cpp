@@ -153,6 +153,22 @@ TEST(History, undo_restores_the_size_from_which_defaults_follow) {
   EXPECT_THROW(empty.cut(across(0.5)), InvalidArgument);
 }
 
+TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
+  World world;
+  world.add(sheet(10));
+  world.cut(across(0.3));
+  world.add(sheet(3));
+  const std::string file = testing::TempDir() + "kerf-again.kerf";
+  world.save_journal(file);
+  World opened(file);
+  opened.add(sheet(5));
+  const std::string hash = opened.hash();
+  for (int i = 0; i < 2; ++i) {
+    opened.save_journal(file);
+    EXPECT_EQ(World(file).hash(), hash);
+  }
+}
+
 TEST(History, undo_restores_the_rest_of_a_tick) {
   World world;
   BodyDesc fixed;

@@ -279,6 +279,31 @@ class Module(unittest.TestCase):
         self.assertTrue(self.world.undo())
         self.assertEqual(self.world.info(body).position.tolist(), [0, 0, 0])
 
+    def test_names_that_are_not_utf_8_are_replaced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, 'latin.obj')
+            with open(file, 'wb') as obj:
+                obj.write(b'g T\xfcr\nusemtl M\xe9tal\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+            mesh = kerf.read(file)
+            self.assertEqual([name for name, _, _ in mesh.parts], ['T\ufffdr'])
+            self.assertEqual(list(mesh.material_names), ['M\ufffdtal'])
+            with self.assertRaises((ValueError, kerf.Error)) as raised:
+                kerf.read(os.fsencode(folder) + b'/\xfc.xyz')
+            self.assertNotIsInstance(raised.exception, UnicodeError)
+
+    def test_a_long_simulation_equals_its_parts(self):
+        other = kerf.World()
+        other.add(self.mesh)
+        other.cut(slot(self.mesh))
+        world = kerf.World()
+        world.add(self.mesh)
+        world.cut(slot(self.mesh))
+        world.simulate(0.55)
+        for seconds in (0.3, 0.2, 0.05):
+            other.simulate(seconds)
+        self.assertEqual(world.hash(), other.hash())
+        self.assertTrue(world.undo() and world.undo())
+
     def test_parts_that_a_hinge_holds_become_bodies_that_fall_together(self):
         square = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)], float)
         mesh = kerf.Mesh(np.vstack([square, square + (1.1, 0, 0)]), [(0, 2, 1), (0, 3, 2), (4, 6, 5), (4, 7, 6)])

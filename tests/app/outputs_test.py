@@ -181,6 +181,35 @@ class Outputs(unittest.TestCase):
         self.assertEqual(self.read("j.kerf"), b"what was there\n")
         self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".tmp")], [])
 
+    def test_names_that_are_not_utf_8_are_replaced_in_the_report(self):
+        name = b"teil_\xfc.obj"
+        os.rename(self.path("plate.obj"), os.path.join(os.fsencode(self.folder), name))
+        done = subprocess.run([KERF, "cut", name, "--path", "once.json", "--out", "out"], cwd=self.folder,
+                              capture_output=True, timeout=900)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("teil_\ufffd.obj", json.loads(self.read("out/report.json"))["command"])
+
+    def test_the_report_of_a_replay_counts_what_lasts(self):
+        for model in ([], ["--model", "thermal", "--thickness", "0.001"]):
+            self.cut("plate.obj", "--path", "once.json", "--journal", "once.kerf", "--out", "once", *model)
+            lines = [line for line in self.read("once.kerf").decode().splitlines() if '"hash"' not in line[:8]]
+            self.write("undone.kerf", "\n".join([lines[0], *lines[1:], '{"do": "undo"}', *lines[1:]]) + "\n")
+            done = self.kerf("replay", "undone.kerf", "--out", "again")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            once, again = (json.loads(self.read(folder + "/report.json")) for folder in ("once", "again"))
+            self.assertEqual(again["removed"], once["removed"])
+            for key in ("energy_j", "depth_fraction"):
+                self.assertEqual(key in again, key in once, key)
+
+    def test_a_thermal_stroke_without_a_duration_is_reported(self):
+        still = stroke(0)
+        still["keys"] = still["keys"][:1]
+        still["keys"][0]["origin"][2] = 0
+        self.write("still.json", json.dumps({"strokes": [still]}))
+        self.cut("plate.obj", "--path", "still.json", "--out", "out", "--model", "thermal", "--thickness", "0.001")
+        report = json.loads(self.read("out/report.json"))
+        self.assertEqual(report["missed"], [])
+        self.assertTrue(any("lasts no time" in note for note in report["notes"]), report["notes"])
 
 if __name__ == "__main__":
     unittest.main()

@@ -107,5 +107,22 @@ TEST(EmittedEnergy, is_the_power_times_the_pulse_on_time) {
   EXPECT_NEAR(emitted_energy(laser, 0.09, 0.11), 1, 1e-9);
 }
 
+TEST(EmittedEnergy, is_never_negative) {
+  Laser laser;
+  for (const double rate : {10.0, 50.0, 300.0, 2000.0}) {
+    for (const double duty : {0.1, 0.3, 0.7}) {
+      laser.pulse_rate = rate;
+      laser.duty = duty;
+      double sum = 0;
+      for (int i = 0; i < 1024; ++i) {
+        const double joules = emitted_energy(laser, i / 1024.0, (i + 1) / 1024.0);
+        ASSERT_GE(joules, 0) << rate << " Hz, " << duty << ", part " << i;
+        sum += joules;
+      }
+      EXPECT_NEAR(sum, duty * laser.power, 1e-9 * laser.power);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -150,9 +150,10 @@ bool Renderer::glows(const ViewOptions& options) const {
 void Renderer::update_looks(const World& world, const ViewOptions& options) {
   for (auto& [id, picture] : bodies_) {
     if (!world.contains(id)) continue;
-    const BodyLooks looks(id, options);
-    if (picture.looks().update(world.body(id), looks, space_)) contact_old_ = true;
-    picture.faces().group(world.body(id).mesh, looks.groups());
+    const Body& body = world.body(id);
+    const BodyLooks looks(id, body, options);
+    if (picture.looks().update(body, looks, space_)) contact_old_ = true;
+    picture.faces().group(body.mesh, looks.groups());
   }
 }
 
@@ -260,7 +261,8 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.section.draw(subject, picture.shape().height);
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
-    passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
+    if (!body.hidden)
+      passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
   });
   draw_beams(view, options, beam);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);

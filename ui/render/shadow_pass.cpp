@@ -283,7 +283,7 @@ ShadowPass::Kept& ShadowPass::bring_up_to_date(const Subject& subject, BodyId id
                                                const BodyPicture& picture, VolumeKey key) {
   BodyShadows& shadows = bodies_[id];
   const FloatFrame& frame = picture.faces().frame();
-  const BodyLooks looks(id, subject.options);
+  const BodyLooks looks(id, body, subject.options);
   catch_up(shadows, body, frame, looks);
   const auto [found, fresh] = shadows.volumes.try_emplace(key, key.second);
   Kept& kept = found->second;

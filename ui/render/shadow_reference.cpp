@@ -76,7 +76,7 @@ size_t differing_pixels(const ShadowCounts& a, const ShadowCounts& b) {
 ShadowRays rays_through(const Subject& subject) {
   ShadowRays rays;
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
-    const BodyLooks looks(id, subject.options);
+    const BodyLooks looks(id, body, subject.options);
     const auto offset_of = [&](uint32_t group) -> std::optional<Vec3> {
       return looks.of(group).hidden ? std::nullopt : std::optional(looks.of(group).offset);
     };

@@ -434,8 +434,7 @@ void show_partial_replay(Workspace& workspace, PartialReplay replay) {
 
 void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   DocumentSession& session = workspace.session;
-  const bool was_shown = workspace.opening.partial_world.has_value();
-  workspace.opening.partial_world.reset();
+  const bool was_shown = std::exchange(workspace.opening.partial_world, std::nullopt).has_value();
   session.document = std::move(loaded.document);
   session.as_loaded = std::move(loaded.as_loaded);
   session.paints = loaded.scene.paints;
@@ -445,6 +444,7 @@ void show_loaded(Workspace& workspace, LoadedFiles loaded) {
   workspace.links.replaced();
   if (session.document.history().last_cut()) workspace.laser.show(session.document.history().last_settings());
   workspace.screen.picture->first().show(session.world(), session.paints, std::move(loaded.prepared));
+  follow_world(session.world(), Delta{}, workspace.view.look.pieces);
   workspace.view.numbers.follow(session.world(), true, false, workspace.view.look.pieces);
   const World::Bounds bounds = session.world().loaded_bounds();
   const bool is_mesh_file = !loaded.order.left && !loaded.order.files.empty() &&

@@ -55,7 +55,7 @@ bool touches(const RubberBand& band, const Corners& corners) {
 class PiecesOfBody {
  public:
   PiecesOfBody(BodyId id, const Body& body, const ViewOptions& options)
-      : body_(body), looks_(id, options), decided_(body.pieces.size()), selected_(body.pieces.size()) {
+      : body_(body), looks_(id, body, options), decided_(body.pieces.size()), selected_(body.pieces.size()) {
     for (uint32_t label = 0; label < body.pieces.size(); ++label) decided_[label] = looks_.of(label).hidden;
   }
 

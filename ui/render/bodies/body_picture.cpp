@@ -12,10 +12,11 @@
 
 namespace kerf {
 
-BodyLooks::BodyLooks(BodyId id, const ViewOptions& options) {
+BodyLooks::BodyLooks(BodyId id, const Body& body, const ViewOptions& options) {
   for (auto i = options.pieces.lower_bound({id, 0}); i != options.pieces.end() && i->first.body == id; ++i) {
     if (!(i->second == PieceLook{})) by_group_.emplace(i->first.label, i->second);
   }
+  for (uint32_t label = 0; body.hidden && label < body.pieces.size(); ++label) by_group_[label].hidden = true;
   record_separation(id, options);
   const auto found = options.groups.find(id);
   if (found == options.groups.end()) return;
@@ -178,7 +179,8 @@ std::optional<Pick> pick(const World& world, const ViewOptions& options, const P
   std::vector<RayHit> hits;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    const BodyLooks looks(id, options);
+    if (body.hidden) continue;
+    const BodyLooks looks(id, body, options);
     for (const Vec3& offset : offsets_of(looks)) {
       const Pose through = body.placement.to_body(Pose{ray.origin - offset, ray.direction});
       const double most = nearest ? nearest->length : seen.high;

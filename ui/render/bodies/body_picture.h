@@ -27,10 +27,10 @@
 namespace kerf {
 
 // The looks of the face groups of one body (see PieceGroups). A loose part has the look of its own piece, but
-// moves with another piece.
+// moves with another piece. All groups of a hidden body are hidden.
 class BodyLooks {
  public:
-  BodyLooks(BodyId id, const ViewOptions& options);
+  BodyLooks(BodyId id, const Body& body, const ViewOptions& options);
 
   // The groups with a look other than the default.
   const std::map<uint32_t, PieceLook>& by_group() const { return by_group_; }
@@ -89,10 +89,10 @@ struct Pick {
   double length = 0;  // m, from the ray's origin
 };
 
-// Returns the first visible face along a ray of the world with the given options: ignores hidden pieces and
-// the cut-away side of the section plane, tests displaced pieces at their drawn position, and back faces
-// only if they are drawn. Precondition: the ray's direction is a unit vector. Costs one traversal of each
-// body's tree per distinct offset of its pieces.
+// Returns the first visible face along a ray of the world with the given options: ignores hidden bodies
+// and pieces and the cut-away side of the section plane, tests displaced pieces at their drawn position, and
+// back faces only if they are drawn. Precondition: the ray's direction is a unit vector. Costs one traversal
+// of each body's tree per distinct offset of its pieces.
 std::optional<Pick> pick(const World& world, const ViewOptions& options, const Pose& ray);
 
 // Loads the programs of passes from assets/shaders into the current context, and binds their blocks "Frame"

@@ -124,7 +124,9 @@ const StageLook& stage_look(Kind kind) { return kStageLooks[static_cast<size_t>(
 class DrawnAt {
  public:
   DrawnAt(const Subject& subject, BodyId id)
-      : space_(subject.space), placement_(subject.world.body(id).placement), looks_(id, subject.options) {}
+      : space_(subject.space),
+        placement_(subject.world.body(id).placement),
+        looks_(id, subject.world.body(id), subject.options) {}
 
   bool hidden(uint32_t piece) const { return looks_.of(piece).hidden; }
   glm::vec3 operator()(const Vec3& place, uint32_t piece) const {
@@ -154,7 +156,7 @@ class Places {
     const glm::vec3 at = subject_.space.from_world(middle);
     if (node.removed || !is_live(node.face)) return at;
     const BodyId id = node.face.body;
-    const auto found = looks_.try_emplace(id, id, subject_.options).first;
+    const auto found = looks_.try_emplace(id, id, subject_.world.body(id), subject_.options).first;
     const PieceLook& look = found->second.of(subject_.world.body(id).mesh, node.face.face);
     if (look.hidden) return std::nullopt;
     return at + glm::vec3(subject_.space.turned(look.offset) / subject_.space.unit);
@@ -340,7 +342,7 @@ void GraphPass::draw_lit_face(const Subject& subject) {
   const FaceOfBody lit = *subject.options.lit_face;
   if (!subject.world.contains(lit.body) || !subject.world.body(lit.body).mesh.is_live(lit.face)) return;
   const Body& body = subject.world.body(lit.body);
-  const PieceLook look = BodyLooks(lit.body, subject.options).of(body.mesh, lit.face);
+  const PieceLook look = BodyLooks(lit.body, body, subject.options).of(body.mesh, lit.face);
   if (look.hidden) return;
   const Triangle t = body.mesh.triangle(lit.face);
   const glm::vec4 colour = srgb(selection_colour(subject.options.tree.palette), 1);

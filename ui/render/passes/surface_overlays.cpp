@@ -106,7 +106,7 @@ class Candidates {
 
  private:
   void add_live(BodyId id, const Body& body, const FloatFrame& frame, const glm::mat4& from_body) {
-    const BodyLooks looks(id, subject_.options);
+    const BodyLooks looks(id, body, subject_.options);
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
       const FaceData& data = body.mesh.data(FaceId(f));

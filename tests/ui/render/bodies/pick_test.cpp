@@ -43,6 +43,13 @@ TEST(Pick, ignores_hidden_pieces) {
   EXPECT_DOUBLE_EQ(met->length, 3);
 }
 
+TEST(Pick, ignores_hidden_bodies) {
+  World world = two_plates();
+  const Pose ray = down_at(middle_of_first(world));
+  world.body(world.ids().front()).hidden = true;
+  EXPECT_FALSE(pick(world, {}, ray));
+}
+
 TEST(Pick, hits_a_moved_piece_where_it_is_drawn) {
   const World world = two_plates();
   const Vec3 at = middle_of_first(world);

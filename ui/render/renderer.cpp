@@ -491,22 +491,12 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
 
 void Renderer::resend(const World& world, PreparedBodies prepared) {
   heat_of_.reset();
-  std::erase_if(bodies_, [&](const auto& body) { return !world.contains(body.first); });
+  bodies_.clear();
+  passes_.lines.forget();
   passes_.scene.shadows().forget();
-  for (const BodyId id : world.ids()) {
-    const auto found = bodies_.find(id);
-    if (found == bodies_.end()) {
-      add(id, world.body(id), prepared);
-      continue;
-    }
-    found->second.faces().forget_all(world.body(id).mesh);
-    const auto ahead = prepared.find(id);
-    if (ahead != prepared.end() && ahead->second.caster)
-      passes_.scene.shadows().adopt(id, std::move(ahead->second.caster));
-  }
+  for (const BodyId id : world.ids()) add(id, world.body(id), prepared);
   place_ground(world);
   contact_old_ = true;
-  passes_.lines.forget();
 }
 
 }  // namespace kerf

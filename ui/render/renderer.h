@@ -43,8 +43,9 @@ class Renderer {
   // removes and renames individual bodies; uploads changed faces with the next frame. Nothing is uploaded for
   // a body that only moved. `prepared` may lack created bodies.
   void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
-  // Uploads every face of the world again, in case a Delta was lost. `prepared` may lack bodies, and the
-  // bases of bodies that are already shown.
+  // Uploads every face of the world again, in case a Delta was lost. An id may denote another body than
+  // before, unless it is a Body::loaded_as. `prepared` may lack bodies. Parts that were removed from split
+  // faces lose their numbers.
   void resend(const World& world, PreparedBodies prepared = {});
 
   // The shading of the bodies as loaded, for prepare_shading() of future bodies.

@@ -84,6 +84,26 @@ TEST(Renderer, a_detached_piece_looks_unchanged) {
   }
 }
 
+// After a piece was detached, the id of the body denotes a part of it, and without the delta the whole again.
+TEST(Renderer, resend_draws_a_body_whose_id_denoted_a_part_of_it) {
+  for (const uint32_t label : {0u, 1u}) {
+    World world;
+    world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+    test::Stage stage(std::move(world));
+    stage.cut({{-1.5, 0.3, 5}, {0, 0, -1}}, {{1.5, 0.3, 5}, {0, 0, -1}}, 0.05);
+    const World whole = stage.world();
+    const CameraView view =
+        look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
+    const Pixels before = stage.draw(view, {}, kRenderWidth, kRenderHeight);
+    stage.apply(HidePiece{{whole.ids().front(), label}, true});
+    stage.renderer().resend(whole);
+    const gl::Framebuffer picture({kRenderWidth, kRenderHeight, 1, false});
+    stage.renderer().draw(whole, view, {}, std::nullopt, {picture.name(), 0, 0, kRenderWidth, kRenderHeight});
+    const Pixels after = read_pixels(picture.name(), kRenderWidth, kRenderHeight);
+    EXPECT_EQ(test::difference(before, after).changed, 0) << label;
+  }
+}
+
 TEST(Renderer, a_hidden_piece_and_its_shadow_disappear_and_return) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);

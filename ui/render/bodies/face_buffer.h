@@ -136,12 +136,6 @@ class FaceBuffer {
   void shade(const Mesh& mesh, std::shared_ptr<const BaseFaces> bases);
   // Returns true if shade() has set other bases.
   bool is_smooth() const { return smooth_; }
-  // Marks every slot as changed, in case Deltas were lost.
-  void forget_all(const Mesh& mesh) {
-    dirty_.mark_all(std::max(mesh.face_slots(), static_cast<uint32_t>(halvings_.size())));
-    removed_.forget();
-    if (heat_.any()) reheated_.mark_all(mesh.face_slots());
-  }
 
   // Uploads the changes of the body's current mesh. If every slot changed, uploads at most `most` of them;
   // later calls upload the others. Returns the number of bytes uploaded.

@@ -571,8 +571,10 @@ void FileOpener::make_shadows() {
   LongChange change;
   change.title = "Shadows";
   change.run = [casters, loaded = renderer.loaded_shadings()](Document& document, const Progress& progress) {
-    for (const BodyId id : document.world().ids())
-      (*casters)[id].frame = loaded.at(document.world().body(id).loaded_as).frame;
+    for (const BodyId id : document.world().ids()) {
+      const auto found = loaded.find(document.world().body(id).loaded_as);
+      if (found != loaded.end()) (*casters)[id].frame = found->second.frame;
+    }
     Outcome outcome;
     if (const Status made = prepare_shadows(document.world(), *casters, &progress); !made)
       outcome.fail(made.error());
@@ -611,9 +613,8 @@ void FileOpener::take_loaded(bool may_replace) {
   if (!can_cancel_upload()) replaced_.reset(), uploads_ = false;
   FileLoader& loader = workspace_.opening.loader;
   if (loader.busy()) {
-    if (stage_is_empty_) {
-      if (auto replay = loader.take_partial_replay()) show_partial_replay(workspace_, std::move(*replay));
-    }
+    if (auto replay = stage_is_empty_ ? loader.take_partial_replay() : std::nullopt)
+      show_partial_replay(workspace_, std::move(*replay));
     KERF_ASSERT(!loader.order().left || !workspace_.opening.recoverable.empty());
     if (may_replace && loader.is_over(0)) {
       LoadRequest order = loader.order();
@@ -630,9 +631,8 @@ void FileOpener::take_loaded(bool may_replace) {
 
 void FileOpener::open_with(const std::filesystem::path& mesh) {
   KERF_ASSERT(missing_);
-  MissingMesh missing = *std::exchange(missing_, std::nullopt);
-  LoadRequest& order = missing.order;
-  replaced_mesh_ = missing.mesh;
+  auto [order, replaced, refused] = *std::exchange(missing_, std::nullopt);
+  replaced_mesh_ = replaced;
   found_ = mesh;
   order.moved[replaced_mesh_] = found_;
   workspace_.message.clear();

@@ -23,7 +23,9 @@ constexpr std::chrono::milliseconds kBetweenCopies(250);
 constexpr int kCopyShare = 8;  // inverse of the maximum share of time for copies
 
 // Is never stopped, so it does not fail.
-PartialReplay copy_of(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+PartialReplay copy_of(const SceneDescription& scene, const World& world, const PreparedBodies& prepared) {
+  LoadedShadings shadings;
+  for (const auto& [id, body] : prepared) shadings.emplace(id, LoadedShading{body.frame, body.bases});
   PartialReplay copy{scene, world, {}};
   for (const BodyId id : world.ids()) copy.prepared.emplace(id, prepare_shading(world.body(id), shadings));
   const Status cast = prepare_shadows(world, copy.prepared, nullptr);
@@ -135,15 +137,23 @@ Document document_of(World world, const SceneDescription& scene, size_t history_
   return document;
 }
 
-using AfterStep = std::function<void()>;
+// Prepares the shading of bodies with a new mesh as long as they are uncut.
+void shade_created(const Delta& delta, LoadedFiles& loaded) {
+  const World& world = loaded.document.world();
+  for (const BodyId id : delta.created) {
+    if (!world.contains(id) || loaded.prepared.contains(id)) continue;
+    const Body& body = world.body(id);
+    if (body.loaded_as == id && body.loaded_faces.empty()) loaded.prepared.emplace(id, prepare_shading(body));
+  }
+}
 
-// Publishes the progress of the replay.
-AfterStep shown_by(LoadProgress* news, const LoadedFiles& loaded) {
-  if (news == nullptr) return [] {};
-  LoadedShadings shadings;
-  for (const auto& [id, body] : loaded.prepared) shadings.emplace(id, LoadedShading{body.frame, body.bases});
-  return [news, &loaded, shadings = std::move(shadings)] {
-    news->show(loaded.scene, loaded.document.world(), shadings);
+using AfterStep = std::function<void(const Delta&)>;
+
+// Prepares the shading of new bodies, and publishes the progress of the replay.
+AfterStep shown_by(LoadProgress* news, LoadedFiles& loaded) {
+  return [news, &loaded](const Delta& delta) {
+    shade_created(delta, loaded);
+    if (news != nullptr) news->show(loaded.scene, loaded.document.world(), loaded.prepared);
   };
 }
 
@@ -158,7 +168,9 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
                 const AfterStep& after_step) {
   Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
   QueueRun how;
-  how.told = [&](const Result<StepResult>&) -> Status { return after_step(), Done{}; };
+  how.told = [&](const Result<StepResult>& step) -> Status {
+    return after_step(step ? step->delta : Delta{}), Done{};
+  };
   how.progress = &progress;
   if (!replay.run(how)) return false;
   if (loaded.order.left && !end_stroke(loaded.document, how)) return false;
@@ -186,7 +198,7 @@ Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& prog
   const Progress watched{[&](double fraction) { return !(stopped = !progress.report(fraction)); }};
   const double middle = loaded.scene.strokes.empty() ? 0 : (journal.commands.empty() ? 1 : 0.5);
   const Progress strokes = share_of(&watched, 0, middle), commands = share_of(&watched, middle, 1);
-  const auto told = [&](const StepResult&) { after_step(); };
+  const auto told = [&](const StepResult& step) { after_step(step.delta); };
   const Status cut = cut_strokes(loaded.document, loaded.scene.strokes, told, &strokes);
   if (stopped) return cancelled();
   if (!cut) loaded.fault = cut.error().message;
@@ -221,14 +233,14 @@ void set_head_entry(SceneDescription& scene, const char* key, const nlohmann::js
   scene.others = head.dump();
 }
 
-void LoadProgress::show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings) {
+void LoadProgress::show(const SceneDescription& scene, const World& world, const PreparedBodies& prepared) {
   const Clock::time_point began = Clock::now();
   if (!watched_ || began < next_ || world.live_faces() > Document::kMaxFacesToCopy) return;
   {
     const std::lock_guard lock(mutex_);
     if (partial_replay_) return;
   }
-  PartialReplay copy = copy_of(scene, world, shadings);
+  PartialReplay copy = copy_of(scene, world, prepared);
   const Clock::time_point ended = Clock::now();
   next_ = ended + std::max<Clock::duration>(kBetweenCopies, kCopyShare * (ended - began));
   const std::lock_guard lock(mutex_);
@@ -294,7 +306,7 @@ Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, Load
   loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
   if (!uncut) set_task("recutting");
   const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);
-  after_step();
+  after_step({});
   const Status cut = cut_all(work->journal, loaded, uncut ? afterwards : deeds, after_step);
   if (!cut) return cut.error();
   loaded.document.set_face_budget(usual_face_budget(machine_memory()));

@@ -46,8 +46,8 @@ class LoadProgress {
   void set_task(const char* what) { doing_ = what; }
   // Reader, after every step that cuts: publishes a copy of the world. Skips this if it is not watched, the
   // world is too large (see Document::kMaxFacesToCopy), the last copy was not taken, or copying would take
-  // too much of the time. `shadings` holds the bodies as loaded. O(faces) for a copy.
-  void show(const SceneDescription& scene, const World& world, const LoadedShadings& shadings);
+  // too much of the time. `prepared` holds the bodies as loaded. O(faces) for a copy.
+  void show(const SceneDescription& scene, const World& world, const PreparedBodies& prepared);
 
   // Waiting thread, before the reader starts: requests copies.
   void watch() { watched_ = true; }
@@ -85,8 +85,8 @@ struct LoadedFiles {
   SceneDescription scene;
   Document document;               // the strokes of the scene are cut, the journal is replayed
   std::optional<World> as_loaded;  // a copy; nullopt if the world is too large
-  PreparedBodies prepared;
-  bool shadows_later = false;  // shadow casters of a large world are not prepared yet
+  PreparedBodies prepared;         // also the bodies that commands of the journal created, as created
+  bool shadows_later = false;      // shadow casters of a large world are not prepared yet
   std::vector<StateMark> marks;
   bool damaged = false;                 // part of the journal could not be read
   Ticks skipped = 0;                    // not simulated: bodies were set to their recorded states

@@ -84,6 +84,31 @@ TEST(FileLoader, recovery_ends_the_stroke_in_progress) {
   EXPECT_EQ(ended->document.journal().size(), drawn->document.journal().size());
 }
 
+// Its shading is that of the mesh before the cut.
+TEST(FileLoader, prepares_the_shading_of_meshes_that_commands_created_and_cut) {
+  StrokePath path;
+  path.radius = 0.1;
+  path.keys = {{{-0.5, 3, 0.1}, {0, -1, 0}}, {{0.5, 3, 0.1}, {0, -1, 0}}};
+  path.times = {0, 1};
+  Journal journal;
+  journal.scene.bodies = {body_of_file(kMeshes / "knot.obj")};
+  const Result<LoadedFiles> uncut = load_files(files({"knot.obj"}), nullptr);
+  ASSERT_TRUE(uncut.ok());
+  const BodyId knot = uncut->document.world().ids().front();
+  journal.commands = scene_stroke_commands(path, 5);
+  journal.commands.insert(journal.commands.begin(), SubdividePiece{{knot, 0}});
+  LoadRequest order;
+  order.left = journal;
+  const Result<LoadedFiles> loaded = load_files(order, nullptr);
+  ASSERT_TRUE(loaded.ok());
+  const BodyId made = loaded->document.world().ids().back();
+  const Mesh& mesh = loaded->document.world().body(made).mesh;
+  ASSERT_FALSE(made == knot);
+  ASSERT_TRUE(loaded->prepared.contains(made));
+  EXPECT_NE(loaded->prepared.at(made).caster, nullptr);
+  EXPECT_GT(mesh.face_slots(), loaded->prepared.at(made).bases->count());
+}
+
 TEST(FileLoader, reports_why_a_file_cannot_be_read) {
   FileLoader loader;
   loader.start(files({"no_such_file.obj"}));

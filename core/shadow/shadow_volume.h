@@ -33,8 +33,8 @@ struct Light {
   Vec3 at{-0.42, 1.0, 0.62};
   Vec3 colour{1.0, 0.938, 0.848};  // linear RGB
   // Irradiance of a surface that faces the light, relative to the display's white; 2.1 is a bright key light.
-  // For a point light it holds at a distance of one diagonal of the world and falls off with the squared
-  // distance.
+  // For a point light it holds at a distance of one diagonal of the world when it was first shown, and falls
+  // off with the squared distance.
   double intensity = 2.1;
 
   // Returns the light in homogeneous world coordinates.

@@ -228,7 +228,7 @@ void LitScene::draw_without_lights(const Subject& subject) const {
 void LitScene::add_direct(const Subject& subject, size_t light, std::optional<gl::Stencil> where) const {
   const Light& l = subject.options.lights[light];
   const glm::vec4 place = light_in_frame(l, subject.space);
-  const glm::vec4 colour = light_colour(l, subject.space, subject.world.bounds().diagonal());
+  const glm::vec4 colour = light_colour(l, subject.space);
   gl::State adding{.depth = GL_EQUAL,
                    .writes_depth = false,
                    .culled = subject.culled(),

@@ -422,7 +422,8 @@ void Renderer::show(const World& world, const std::map<std::string, Paint>& pain
     add(id, world.body(id), prepared);
   }
   middle_ = bounds.min + (bounds.max - bounds.min) * 0.5;
-  space_.unit = diagonal > 0 && std::isfinite(diagonal) ? std::ldexp(1.0, std::ilogb(diagonal)) : 1;
+  space_.size = diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
+  space_.unit = std::ldexp(1.0, std::ilogb(space_.size));
   place_ground(world);
 }
 

@@ -35,8 +35,8 @@ glm::vec4 light_in_frame(const Light& light, const FrameSpace& space) {
   return {space.from_world(light.at), 1};
 }
 
-glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal) {
-  const float reference = space.length(diagonal);
+glm::vec4 light_colour(const Light& light, const FrameSpace& space) {
+  const float reference = space.length(space.size);
   return {glm::vec3(light.colour * light.intensity), reference * reference};
 }
 

@@ -28,8 +28,8 @@ LightOnBody light_on_body(const Light& light, const Placement& placement, const 
 // directional light is not zero.
 glm::vec4 light_in_frame(const Light& light, const FrameSpace& space);
 
-// The uniform "light_colour". `diagonal` of the world, m.
-glm::vec4 light_colour(const Light& light, const FrameSpace& space, double diagonal);
+// The uniform "light_colour" (see Light::intensity).
+glm::vec4 light_colour(const Light& light, const FrameSpace& space);
 
 // The unit direction from a point of the world towards a light.
 Vec3 direction_to(const Light& light, const Vec3& from);

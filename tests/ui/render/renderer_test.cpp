@@ -130,6 +130,21 @@ TEST(Renderer, a_hidden_body_and_its_shadow_are_not_drawn_whatever_the_options) 
   EXPECT_EQ(stage.draw(view, {}, kRenderWidth, kRenderHeight).rgb, plain.rgb);
 }
 
+TEST(Renderer, lamps_keep_their_brightness_while_debris_flies_away) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+  world.add(make_body("debris", test::build(test::moved(test::sphere(6, 8, 0.05), {0, 3, 8}, 1))));
+  test::Stage stage(std::move(world));
+  const CameraView view =
+      look_at({1.5, 2, 3.5}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  options.lights = {Light{Light::Kind::kPoint, {3, 4, 3}, {1, 1, 1}, 0.4}};
+  const Pixels before = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  stage.apply(MovePiece{{stage.world().ids().back(), 0}, {{0, 0, 300}, {1, 0, 0, 0}}});
+  const Pixels after = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  EXPECT_EQ(test::difference(before, after).changed, 0);
+}
+
 TEST(Renderer, the_ghost_shows_only_removed_parts) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);

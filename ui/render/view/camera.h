@@ -133,6 +133,7 @@ struct FrameSpace {
   Vec3 eye{0};        // of the near view
   Vec3 seen_from{0};  // the eye itself, which is farther away in an orthographic view
   double unit = 1;    // m
+  double size = 1;    // m, > 0; diagonal of the world when it was first shown
   UpAxis up = UpAxis::kY;
 
   glm::vec3 from_world(const Vec3& p) const { return glm::vec3(turned(p - eye) / unit); }

@@ -21,6 +21,13 @@ Target target_of(const Area& area, const Window& window) {
           static_cast<int>(pixels.size.x), static_cast<int>(pixels.size.y)};
 }
 
+// Leaves out everything that needs shadow casters.
+void omit_shadows(ShowOptions& show) {
+  show.shadows = Shadows::kNone;
+  show.silhouette = show.shadow_volumes = show.shadow_stencil = false;
+  show.shadow_facing = show.shadow_compare = false;
+}
+
 // Fills a part of the window with the colour behind the panels' edges.
 void clear(const Target& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
@@ -120,7 +127,8 @@ bool LivePicture::draw_shots(const Shot& first, const Shot* second, PictureChang
   if (more) gather(first, second, window);
   if (redrawn) statistics.differing = differing_pixels(first);
   traced_.work(first.world, first.look, first_.renderer, first.view, target,
-               redrawn && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering(), statistics);
+               redrawn && change != PictureChange::kHeat, rest_.shapes_rest() && !is_gathering() && !draft_,
+               statistics);
   dead_beam_ = beam_shown_ && !first.beam;
   return redrawn || more;
 }
@@ -151,7 +159,7 @@ bool LivePicture::pass_over(const Shot& first, PictureChange change) {
 }
 
 std::optional<size_t> LivePicture::differing_pixels(const Shot& shot) const {
-  if (!shot.look.show.shadow_compare) return std::nullopt;
+  if (draft_ || !shot.look.show.shadow_compare) return std::nullopt;
   return first_.renderer.differing_pixels();
 }
 
@@ -178,7 +186,7 @@ void LivePicture::redraw(const Shot& first, const Shot* second, const Window& wi
   const auto draw = [&](Drawn& drawn, const Shot& shot) {
     ViewOptions look = shot.look;
     look.antialias = antialiased_;
-    if (draft) look.show.shadows = Shadows::kNone;
+    if (draft) omit_shadows(look.show);
     drawn.renderer.draw(shot.world, shot.view, look, shot.beam, target_of(shot.area, window));
   };
   draw(first_, first);

@@ -301,7 +301,7 @@ class Module(unittest.TestCase):
         world.simulate(0.55)
         for seconds in (0.3, 0.2, 0.05):
             other.simulate(seconds)
-        self.assertEqual(world.hash(), other.hash())
+        self.assertEqual(world.hash, other.hash)
         self.assertTrue(world.undo() and world.undo())
 
     def test_parts_that_a_hinge_holds_become_bodies_that_fall_together(self):

@@ -135,7 +135,11 @@ class RulerFeature : public Feature {
   }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
-    if (!is_active() || press.control || workspace_.view.in_second) return nullptr;
+    if (!is_active() || press.control) return nullptr;
+    if (workspace_.view.in_second) {
+      workspace_.message.error("Measure in the left half.");
+      return std::make_unique<ClickOnce>([] {});
+    }
     if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
     return std::make_unique<ClickOnce>([this] { measure(); });
   }

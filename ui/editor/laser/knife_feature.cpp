@@ -40,11 +40,9 @@ void request_cut(Workspace& workspace, const KnifePlane& plane) {
   if (may_cut(workspace)) workspace.changes.enqueue(CutPlane{plane});
 }
 
-// Cuts along a curve of the screen.
-void request_cut(Workspace& workspace, const CameraView& camera, std::span<const Vec2> curve, bool closed) {
+// Cuts along a curve; its points are as in CameraView::ray.
+void request_cut(Workspace& workspace, const CameraView& camera, std::span<const Vec2> points, bool closed) {
   if (!may_cut(workspace)) return;
-  std::vector<Vec2> points;
-  for (const Vec2& p : curve) points.push_back(workspace.view.in_picture(p));
   const CutPath command{path_along_view(camera, points, closed, workspace.world().bounds())};
   workspace.changes.enqueue("Cut along the curve", [&workspace, command] {
     const auto cut = [command](Document& document, const Progress* progress) {
@@ -135,8 +133,9 @@ class DrawnLasso : public Interaction {
   }
   void release(const InputEvent& event) override {
     if (event.button != GLFW_MOUSE_BUTTON_LEFT || !is_drag()) return;
-    const std::vector<Vec2> loop = largest_loop(simplified(points_, kPixel, true));
+    std::vector<Vec2> loop = largest_loop(simplified(points_, kPixel, true));
     if (loop.empty()) return workspace_.message.info("The lasso encloses nothing.");
+    for (Vec2& p : loop) p = workspace_.view.in_picture(p);
     request_cut(workspace_, camera_, loop, true);
   }
   bool cancel() override { return true; }
@@ -185,10 +184,11 @@ class DrawnPolyline {
   }
   void follow(bool shift) { shift_ = shift; }
   void remove_last() { points_.pop_back(); }
-  // Cuts along the polyline and removes it.
+  // Cuts along the polyline, wherever the pointer is, and removes it.
   void finish(bool closed) {
-    const std::vector<Vec2> points = std::exchange(points_, {});
+    std::vector<Vec2> points = std::exchange(points_, {});
     if (points.size() < 2) return workspace_.message.info("A polyline needs two points.");
+    for (Vec2& p : points) p = workspace_.view.in_first(p);
     request_cut(workspace_, camera_, points, closed);
   }
   // Removes the polyline if the view or the tool has changed.
@@ -232,7 +232,7 @@ class DrawnPolyline {
 
   Workspace& workspace_;
   CameraView camera_;         // of the first point
-  std::vector<Vec2> points_;  // screen coordinates
+  std::vector<Vec2> points_;  // screen coordinates, in the first half of a split view
   double clicked_at_ = 0;     // s
   bool shift_ = false;        // held at the last event
 };

@@ -281,6 +281,7 @@ class LaserFeature : public Feature {
   std::vector<Gesture> gestures() const override { return {{"cut", "Left drag", "Cut under the pointer"}}; }
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
+    if (workspace_.input.tool != kLaserTool) return nullptr;
     if (workspace_.opening.loader.busy()) {
       workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() + " is open.");
       return nullptr;

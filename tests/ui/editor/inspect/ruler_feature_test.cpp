@@ -60,6 +60,18 @@ TEST(RulerFeature, two_clicks_add_a_measurement_to_the_document_and_cut_nothing)
   EXPECT_TRUE(bench.kept().is_null());
 }
 
+TEST(RulerFeature, a_click_in_the_right_half_of_a_split_view_begins_no_stroke) {
+  RulerBench bench;
+  ViewState& view = bench.workspace.view;
+  view.layout = split_in_two(view.layout, 0.5);
+  const Vec2 middle = view.layout.second.at + 0.5 * view.layout.second.size;
+  bench.handle(InputEvent::Kind::kPress, middle);
+  EXPECT_FALSE(bench.workspace.beam.cutting());
+  EXPECT_TRUE(bench.workspace.message.is_error);
+  bench.handle(InputEvent::Kind::kRelease, middle);
+  EXPECT_TRUE(bench.kept().is_null());
+}
+
 // A tube of radius 0.5 along Y, seen from above at an angle: its upper rim is an ellipse.
 TEST(RulerFeature, the_rim_at_a_place_is_the_visible_one) {
   RulerBench bench;

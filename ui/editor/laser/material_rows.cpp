@@ -131,7 +131,7 @@ static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
               "the density and the wavelength have no row here");
 
 struct MaterialChange {
-  std::optional<Sheet> sheet;
+  std::optional<SheetEdit> sheet;
   std::optional<bool> solid;
   std::string cut_material;  // empty: unchanged
 };
@@ -155,7 +155,8 @@ std::string draw_cut_material(const Body& body) {
 }
 
 // Edits the sheet of the selected pieces, or of all pieces if none is selected: material (from
-// assets/materials.json), thickness, constants, and solidity. Each change is one history entry.
+// assets/materials.json), thickness, constants, and solidity. Each change is one history entry and leaves the
+// other properties of each piece unchanged.
 class MaterialPanel {
  public:
   MaterialChange draw(const Workspace& workspace);
@@ -258,16 +259,16 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   draw_fitted_text(of, "Changes apply to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();
-  Sheet sheet = body.sheet;
+  SheetEdit edit{body.sheet, body.sheet};
   bool changed = false;
   if (begin_properties("sheet")) {
-    changed = draw_presets(sheet);
-    changed |= draw_numbers(sheet);
+    edit.preset = draw_presets(edit.after);
+    changed = draw_numbers(edit.after) || edit.preset;
     change.solid = solid_.draw(workspace, *piece);
     if (body.solid) change.cut_material = draw_cut_material(body);
     end_properties();
   }
-  if (changed) change.sheet = sheet;
+  if (changed) change.sheet = edit;
   return change;
 }
 
@@ -314,8 +315,8 @@ class MaterialFeature : public Feature {
   void draw_material() {
     const MaterialChange change = panel_.draw(workspace_);
     if (change.sheet) {
-      request_for_all("Set material", [sheet = *change.sheet](const PieceId& p) {
-        return SetSheetProperties{p, sheet};
+      request_for_all("Set material", [this, edit = *change.sheet](const PieceId& p) {
+        return SetSheetProperties{p, edit.applied_to(workspace_.world().body(p.body).sheet)};
       });
     }
     if (change.solid) {
@@ -324,27 +325,37 @@ class MaterialFeature : public Feature {
       });
     }
     if (!change.cut_material.empty()) {
-      request_for_all("Set cut material", [material = change.cut_material](const PieceId& p) {
-        return SetSolid{p, true, material};
-      });
+      request_for_all(
+          "Set cut material",
+          [material = change.cut_material](const PieceId& p) {
+            return SetSolid{p, true, material};
+          },
+          true);
     }
   }
   using CommandFor = std::function<Command(const PieceId&)>;
-  // Requests one change of the selected pieces, or of all.
-  void request_for_all(const char* name, const CommandFor& command) {
-    workspace_.changes.enqueue({.name = name,
-                                .run = [this, name, command] { return change_all(name, command), true; },
-                                .is_one = true});
+  // Requests one change of the selected pieces, or of all; `solids`: only of solid ones.
+  void request_for_all(const char* name, const CommandFor& command, bool solids = false) {
+    workspace_.changes.enqueue(
+        {.name = name,
+         .run = [this, name, command, solids] { return change_all(name, command, solids), true; },
+         .is_one = true});
   }
-  void change_all(const char* name, const CommandFor& command) {
+  std::vector<PieceId> pieces_to_change(bool solids) const {
     std::vector<PieceId> pieces;
     const PieceMap& looks = workspace_.view.look.pieces;
     const bool all = selected_count(looks) == 0;
     for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
       const auto look = looks.find(row.id);
       const bool selected = look != looks.end() && look->second.selected;
-      if (!row.part && (all || selected)) pieces.push_back(row.id);
+      const bool fits = !row.part && (!solids || workspace_.world().body(row.id.body).solid);
+      if (fits && (all || selected)) pieces.push_back(row.id);
     }
+    return pieces;
+  }
+  void change_all(const char* name, const CommandFor& command, bool solids) {
+    std::vector<PieceId> pieces = pieces_to_change(solids);
+    if (pieces.empty()) return workspace_.message.error("Parts on joints have the material of their body.");
     cancel_stroke(workspace_);
     workspace_.changes.change(name, is_small(workspace_.session.document),
                               edit_all(std::move(pieces), command));
@@ -587,6 +598,17 @@ void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::op
   if (workspace.world().energy().emitted > 0)
     ImGui::TextWrapped("%s", energy_text(workspace.world()).c_str());
   ImGui::PopStyleColor();
+}
+
+Sheet SheetEdit::applied_to(Sheet own) const {
+  if (after.thickness != before.thickness) own.thickness = after.thickness;
+  if (preset || after.density != before.density || after.substance.density != before.substance.density)
+    own.density = after.density;
+  for (const NumberField<Substance>& field : kSubstanceFields) {
+    const double value = after.substance.*field.member;
+    if (preset || value != before.substance.*field.member) own.substance.*field.member = value;
+  }
+  return own;
 }
 
 const char* solid_disabled_reason(bool closed, const LaserControls& laser) {

@@ -147,6 +147,15 @@ std::string energy_text(const World& world);
 // Depth of the last stroke where it hit a surface, or empty if it hit none: "Last cut reached 40 % depth".
 std::string depth_text(const StepStatistics& statistics);
 
+// An edit of a sheet; `preset`: a material was selected, which has all constants.
+struct SheetEdit {
+  Sheet before, after;
+  bool preset = false;
+
+  // Returns `own` with the members that the edit has changed.
+  Sheet applied_to(Sheet own) const;
+};
+
 // Returns why a piece cannot be made solid with this laser, as a sentence, or null if it can.
 const char* solid_disabled_reason(bool closed, const LaserControls& laser);
 

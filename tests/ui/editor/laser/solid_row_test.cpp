@@ -22,6 +22,29 @@ TEST(SolidRow, reports_why_a_piece_is_not_a_solid) {
   EXPECT_NE(std::string(solid_disabled_reason(true, faces)).find("smooth rim"), std::string::npos);
 }
 
+TEST(SheetEdit, changes_only_the_edited_members_of_other_sheets) {
+  Sheet first, steel, own;
+  steel.substance.conductivity = 16;
+  own.thickness = 0.005;
+  own.density = own.substance.density = 2700;
+  own.substance.latent = 390e3;
+  SheetEdit typed{first, first};
+  typed.after.thickness = 0.002;
+  Sheet expected = own;
+  expected.thickness = 0.002;
+  EXPECT_EQ(typed.applied_to(own), expected);
+  EXPECT_EQ(typed.applied_to(first), typed.after);
+  typed.after = first;
+  typed.after.density = typed.after.substance.density = 8000;
+  expected = own;
+  expected.density = expected.substance.density = 8000;
+  EXPECT_EQ(typed.applied_to(own), expected);
+  const Sheet selected = SheetEdit{first, steel, true}.applied_to(own);
+  EXPECT_EQ(selected.substance, steel.substance);
+  EXPECT_EQ(selected.density, steel.density);
+  EXPECT_EQ(selected.thickness, own.thickness);
+}
+
 TEST(KnownClosed, updates_with_the_faces_of_the_requested_piece) {
   World world = world_of(brick({1, 2, 3}));
   const BodyId open = world.add(make_body("plate", build(plate(1))));

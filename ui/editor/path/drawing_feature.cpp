@@ -98,6 +98,7 @@ class DrawingFeature : public Feature {
     load_waiting();
     uncut_.update(workspace_);
     if (!is_shown() || workspace_.cutting()) return;
+    invalidate_old_preview();
     preview_.update(*drawing_, placement_, workspace_.world(), PrimaryViewport(workspace_.view));
   }
   void on_world_changed(const Delta&) override {
@@ -187,6 +188,14 @@ class DrawingFeature : public Feature {
   const char* no_drawing_reason() const { return drawing_ ? nullptr : kNoDrawing; }
   JobPlane plane() const { return placement_.plane(workspace_.world().bounds()); }
   double world_units() const { return 1 / metres_per_unit(workspace_.view.frame.unit); }
+
+  // Cuts change faces without on_world_changed().
+  void invalidate_old_preview() {
+    const Document& document = workspace_.session.document;
+    if (document.waiting() > 0 && !document.queue().only_cools()) return;
+    const std::pair<size_t, size_t> now{document.revision(), workspace_.world().live_faces()};
+    if (std::exchange(projected_at_, now) != now) preview_.invalidate();
+  }
 
   // Import
   // ------------------------------------------------------------------------------------------------------
@@ -508,6 +517,7 @@ class DrawingFeature : public Feature {
   UncutMarks uncut_;
   bool with_knife_ = false, first_surface_ = false;
   DrawingPreview preview_;
+  std::pair<size_t, size_t> projected_at_;  // revision of the document and number of faces
   NumberFields fields_;
   std::string tool_before_ = kLaserTool;  // active before the drawing was imported
   std::filesystem::path waiting_;         // a dropped file, until a document is open

@@ -419,7 +419,7 @@ class PiecesFeature : public Feature {
     list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
                [this] { request_hide(); });
     draw_buttons();
-    draw_measures(measures_.follow(workspace_.world(), workspace_.view.look.pieces),
+    draw_measures(measures_.follow(workspace_.session.document, workspace_.view.look.pieces),
                   workspace_.view.frame.unit);
   }
   void draw_buttons() {

@@ -437,13 +437,19 @@ PieceMeasures measure_pieces(const World& world, const std::vector<PieceId>& pie
   return measures;
 }
 
-const PieceMeasures& SelectionMeasures::follow(const World& world, const PieceMap& looks) {
+const PieceMeasures& SelectionMeasures::follow(const Document& document, const PieceMap& looks) {
+  const World& world = document.world();
   std::vector<PieceId> pieces = selected_ids(looks);
-  if (!measured_ || pieces != pieces_) {
-    pieces_ = std::move(pieces);
-    measured_ = measure_pieces(world, pieces_);
+  std::vector<Surface> surfaces;
+  for (const PieceId& id : pieces) {
+    const Piece& piece = world.body(id.body).pieces[id.label];
+    surfaces.push_back({piece.faces, piece.area});
   }
-  return *measured_;
+  const bool waits = document.waiting() > 0 && !document.queue().only_cools();
+  if (measured_ && pieces == pieces_ && (waits || surfaces == surfaces_)) return *measured_;
+  pieces_ = std::move(pieces);
+  surfaces_ = std::move(surfaces);
+  return measured_.emplace(measure_pieces(world, pieces_));
 }
 
 void draw_measures(const PieceMeasures& measures, FileUnit unit) {

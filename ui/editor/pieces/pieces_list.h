@@ -94,15 +94,24 @@ struct PieceMeasures {
 // Measures pieces that exist. O(faces of their bodies).
 PieceMeasures measure_pieces(const World& world, const std::vector<PieceId>& pieces);
 
-// The measures of the selected pieces, computed when the selection or the world has changed.
+// The measures of the selected pieces, computed when the selection or the world has changed, but for a stroke
+// only once it is cut.
 class SelectionMeasures {
  public:
   void on_world_changed() { measured_.reset(); }
   // Precondition: the looks are those of pieces that exist.
-  const PieceMeasures& follow(const World& world, const PieceMap& looks);
+  const PieceMeasures& follow(const Document& document, const PieceMap& looks);
 
  private:
+  // The surface of a piece: unchanged while the number of its faces and their area are.
+  struct Surface {
+    size_t faces = 0;
+    double area = 0;  // m^2
+    friend bool operator==(const Surface&, const Surface&) = default;
+  };
+
   std::vector<PieceId> pieces_;
+  std::vector<Surface> surfaces_;
   std::optional<PieceMeasures> measured_;  // of these pieces
 };
 

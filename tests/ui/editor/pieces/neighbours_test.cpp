@@ -125,5 +125,21 @@ TEST(PieceMeasures, are_area_and_volume_of_closed_pieces) {
   EXPECT_NEAR(measured({2}).area, 1, 1e-12);
 }
 
+TEST(SelectionMeasures, are_updated_once_a_stroke_is_cut) {
+  Document document(row_of_sheets(1));
+  PieceMap looks;
+  looks[{document.world().ids()[0], 0}].selected = true;
+  SelectionMeasures measures;
+  const double before = measures.follow(document, looks).area;
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  const Vec3 above = document.world().bounds().centre() + Vec3(0, 5, 0);
+  document.apply(BeginStroke{settings, {above, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  EXPECT_EQ(measures.follow(document, looks).area, before);
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+  EXPECT_LT(measures.follow(document, looks).area, before - 0.02);
+}
+
 }  // namespace
 }  // namespace kerf

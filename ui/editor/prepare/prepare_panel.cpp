@@ -526,7 +526,11 @@ class PrepareFeature : public Feature {
   void on_world_changed(const Delta& delta) override {
     if (!delta.empty()) preview_.drop();
   }
-  void on_document_opened() override { preview_.drop(); }
+  void on_document_opened() override {
+    preview_.drop();
+    preparation_.faces = 0;
+    preparation_.error = 0;
+  }
   void write_session_log(nlohmann::ordered_json& report) const override {
     const Preview* shown = preview_.shown();
     if (shown == nullptr) return;

@@ -77,7 +77,11 @@ struct LaserControls {
                                    bool with_knife) const;
   // Sets the controls to the radius and the resolution of a stroke, within their range.
   void show(const CutSettings& settings);
-  void fit(double diagonal) { radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01; }
+  // Resets the lengths to the defaults of a world with this diagonal [m].
+  void fit(double diagonal) {
+    radius = default_radius = diagonal > 0 ? diagonal / 400 : 0.01;
+    heat_width.reset();
+  }
 };
 
 // The radius of the beam, and its display unit.

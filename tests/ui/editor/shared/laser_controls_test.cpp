@@ -24,6 +24,15 @@ TEST(LaserControls, add_heat_to_a_geometric_cut_unless_disabled) {
   EXPECT_EQ(laser.settings(5).heat_width, 0);
 }
 
+TEST(LaserControls, fit_resets_lengths_typed_for_another_file) {
+  LaserControls laser;
+  laser.radius = 0.006;
+  laser.heat_width = 0;
+  laser.fit(2000);
+  EXPECT_EQ(laser.radius, 5);
+  EXPECT_EQ(laser.width_of_heat(), laser.standard_width_of_heat());
+}
+
 TEST(LaserControls, thermal_model_has_power_and_always_deposits_heat) {
   LaserControls laser;
   laser.model = Model::kThermal;

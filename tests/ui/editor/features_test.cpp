@@ -117,6 +117,20 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
 }
 
+TEST_F(Actions, paste_needs_a_copied_piece_that_exists) {
+  World world;
+  world.add(make_body("left", test::build(test::sphere(8, 12, 1))));
+  world.add(make_body("right", test::build(test::sphere(8, 12, 2))));
+  workspace.session.document = Document(std::move(world));
+  const PieceId left{workspace.world().ids().front(), 0};
+  select_piece(workspace.view.look.pieces, left, false);
+  find_action(actions, "pieces.copy")->run();
+  const UserAction& paste = *find_action(actions, "pieces.paste");
+  EXPECT_EQ(paste.objection(), nullptr);
+  workspace.session.document.apply(DeletePiece{left});
+  EXPECT_NE(paste.objection(), nullptr);
+}
+
 TEST_F(Actions, the_game_begins_without_a_beam_that_stays_on) {
   World world;
   world.add(make_body("ball", test::build(test::sphere(8, 12, 1))));

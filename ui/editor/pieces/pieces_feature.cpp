@@ -174,13 +174,6 @@ constexpr const char* kPiecesPanel = "pieces";
 
 constexpr double kSimilarArea = 0.1;
 
-bool is_present(const World& world, const PieceId& piece) {
-  const std::vector<BodyId> ids = world.ids();
-  if (std::find(ids.begin(), ids.end(), piece.body) == ids.end()) return false;
-  const Records<Piece>& pieces = world.body(piece.body).pieces;
-  return piece.label < pieces.size() && pieces[piece.label].faces > 0;
-}
-
 // The names of the materials of the faces of each piece; unnamed materials count as one.
 std::map<PieceId, std::set<std::string>> materials_of_pieces(const World& world) {
   std::map<PieceId, std::set<std::string>> all;
@@ -340,9 +333,7 @@ class PiecesFeature : public Feature {
                     {.disabled_reason = no_emitter_reason}),
         make_action(
             "pieces.paste", "Paste", "Ctrl+V", "Adds copies of the copied pieces in place and selects them.",
-            [this] { request_paste(); },
-            {.disabled_reason =
-                 [this] { return copied_.empty() ? "Nothing to paste: copy a piece first." : nullptr; }}),
+            [this] { request_paste(); }, {.disabled_reason = [this] { return paste_disabled_reason(); }}),
         make_action("pieces.hide", "Hide Selected", "H",
                     "Hides the selected pieces; the beam does not cut them.", [this] { request_hide(); },
                     {.disabled_reason = no_emitter_reason}),
@@ -491,29 +482,35 @@ class PiecesFeature : public Feature {
     if (bounds.is_none()) bounds = workspace_.world().bounds();
     workspace_.view.camera.frame(bounds, workspace_.view.aspect());
   }
+  const char* paste_disabled_reason() const {
+    const auto is_present = [this](const PieceId& p) { return has_faces(workspace_.world(), p); };
+    return std::ranges::any_of(copied_, is_present) ? nullptr : "Nothing to paste: copy a piece first.";
+  }
   void request_paste() {
     deselect_all(workspace_.view.look.pieces);
     workspace_.changes.enqueue(
-        {.name = "Paste", .run = [this, next = size_t(0)]() mutable { return paste(next); }, .is_one = true});
+        {.name = "Paste",
+         .run = [this, next = size_t(0),
+                 newest = std::optional<BodyId>()]() mutable { return paste(next, newest); },
+         .is_one = true});
   }
   // Pastes the copied pieces from index `next` on. Returns false if some are left because a change became
-  // pending.
-  bool paste(size_t& next) {
-    for (; next < copied_.size(); ++next) {
-      if (workspace_.changes.is_pending()) return false;
-      select_newest(next > 0);
-      const PieceId piece = copied_[next];
-      if (is_present(workspace_.world(), piece))
-        workspace_.changes.apply(DuplicatePiece{piece, workspace_.world().body(piece.body).placement});
+  // pending. `newest`: the newest body before the last copy.
+  bool paste(size_t& next, std::optional<BodyId>& newest) {
+    while (!workspace_.changes.is_pending()) {
+      select_copy(std::exchange(newest, std::nullopt));
+      if (next >= copied_.size()) return true;
+      const PieceId piece = copied_[next++];
+      if (!has_faces(workspace_.world(), piece)) continue;
+      newest = workspace_.world().ids().back();
+      workspace_.changes.apply(DuplicatePiece{piece, workspace_.world().body(piece.body).placement});
     }
-    if (workspace_.changes.is_pending()) return false;
-    select_newest(next > 0);
-    return true;
+    return false;
   }
-  // Selects the pieces of the newest body.
-  void select_newest(bool any) {
+  // Selects the pieces of the newest body if it is not the one before the copy.
+  void select_copy(const std::optional<BodyId>& before) {
     const std::vector<BodyId> ids = workspace_.world().ids();
-    if (!any || ids.empty()) return;
+    if (!before || ids.empty() || ids.back() == *before) return;
     const Records<Piece>& pieces = workspace_.world().body(ids.back()).pieces;
     for (uint32_t label = 0; label < pieces.size(); ++label) {
       if (pieces[label].faces > 0) workspace_.view.look.pieces[{ids.back(), label}].selected = true;

@@ -134,12 +134,21 @@ Vec3 pivot_of(const Body& body, uint32_t label) {
 
 PieceMove::PieceMove(Kind kind, const PieceId& piece, const Placement& from, const Vec3& pivot,
                      const CameraView& view, Vec2 pointer)
-    : kind_(kind), piece_(piece), from_(from), pivot_(pivot), view_(view), began_(pointer), now_(pointer) {}
+    : kind_(kind),
+      piece_(piece),
+      from_(from),
+      pivot_(pivot),
+      facing_(-view.forward),
+      view_(view),
+      began_(pointer),
+      now_(pointer) {}
 
 void PieceMove::resume_from(const CameraView& view, Vec2 pointer) {
   carried_ = pointed_shift();
+  const bool was_behind = sees_axis_from_behind();
   view_ = view;
   began_ = now_ = pointer;
+  if (sees_axis_from_behind() != was_behind) turned_ = -turned_;
 }
 
 void PieceMove::point(const CameraView& view, Vec2 pointer) {
@@ -186,12 +195,15 @@ Vec3 PieceMove::snapped_shift() const {
   return along(glm::round(pointed_shift() / snap_->step) * snap_->step);
 }
 
-// Without an axis, returns the direction to the eye, so that the piece turns with the pointer on the screen.
-Vec3 PieceMove::turning_axis() const { return axis_ ? direction_of(*axis_) : -view_.forward; }
+// Without an axis, returns the direction to the eye at the beginning, so that the piece turns with the
+// pointer on the screen, and stays in place when the view changes.
+Vec3 PieceMove::turning_axis() const { return axis_ ? direction_of(*axis_) : facing_; }
+
+bool PieceMove::sees_axis_from_behind() const { return glm::dot(turning_axis(), view_.forward) > 0; }
 
 double PieceMove::angle() const {
   if (const auto amount = typed_amount()) return *amount * kDegree;
-  const double turned = glm::dot(turning_axis(), view_.forward) > 0 ? -turned_ : turned_;
+  const double turned = sees_axis_from_behind() ? -turned_ : turned_;
   constexpr double kStep = MoveSnap::kDegrees * kDegree;
   return snap_ ? std::round(turned / kStep) * kStep : turned;
 }
@@ -458,17 +470,22 @@ class TransformFeature : public Feature {
     return {{"move_piece", "Left drag on an arrow or a ring",
              "Move or rotate the selected piece with the Select tool; Ctrl snaps to steps and vertices"}};
   }
-  // A piece moved by keys follows the pointer without a button; a click confirms.
+  // A piece moved by keys follows the pointer without a button; a click confirms. A press of the right button
+  // cancels, also during a drag.
   bool handle_event(const InputEvent& event, bool in_picture) override {
     if (!moving_.moves()) return false;
     if (event.kind == InputEvent::Kind::kKey) {
       take_key(event.button);
       return true;
     }
-    if (workspace_.input.held) return false;
-    if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
     const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
-    if (event.kind != InputEvent::Kind::kPress || (!left && !right)) return false;
+    const bool presses = event.kind == InputEvent::Kind::kPress && (left || right);
+    if (workspace_.input.held) {
+      if (presses && right) cancel_move();
+      return presses && right;
+    }
+    if (event.kind == InputEvent::Kind::kMove) follow_pointer(event);
+    if (!presses) return false;
     if (left && in_picture) {
       confirm();
     } else {

@@ -77,17 +77,19 @@ class PieceMove {
   Vec3 shift() const;
   double angle() const;  // [radians]
   Vec3 turning_axis() const;
+  bool sees_axis_from_behind() const;
   std::optional<double> typed_amount() const;
 
   Kind kind_;
   PieceId piece_;
   Placement from_;
   Vec3 pivot_;
+  Vec3 facing_;  // unit direction to the eye at the beginning
   CameraView view_;
   Vec2 began_, now_;  // places of the pointer
   std::optional<Axis> axis_;
   Vec3 carried_{0};    // by the pointer before the view changed [m]
-  double turned_ = 0;  // by the pointer [radians], not limited to a full turn
+  double turned_ = 0;  // by the pointer [radians, counterclockwise in the view], not limited to a full turn
   std::string typed_;
   std::optional<MoveSnap> snap_;
 };

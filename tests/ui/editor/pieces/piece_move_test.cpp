@@ -136,6 +136,21 @@ TEST(PieceMove, stays_in_place_during_a_view_change_then_follows_the_pointer) {
   EXPECT_EQ(turn.words("m"), words);
 }
 
+TEST(PieceMove, keeps_its_rotation_when_the_view_changes) {
+  const CameraView front = from_the_front();
+  for (const Vec3& eye : {Vec3(4, 1, 3), Vec3(1, 2, -5)}) {
+    const CameraView other = look_at(eye, {0, 0, 0}, 1.5);
+    for (const auto& axis : {std::optional<Axis>(), std::optional(Axis::kX), std::optional(Axis::kZ)}) {
+      PieceMove turn(Kind::kTurn, {}, {}, Vec3(0), front, {0.5, 0});
+      if (axis) turn.constrain(*axis);
+      turn.point(front, {0.3, 0.4});
+      const Vec3 before = turn.placement().to_world({1, 2, 3});
+      turn.point(other, {-0.8, 0.6});
+      EXPECT_LT(glm::length(turn.placement().to_world({1, 2, 3}) - before), 1e-12);
+    }
+  }
+}
+
 TEST(PieceMove, rotation_follows_the_pointer_around_the_pivot_with_full_turns) {
   const CameraView view = from_the_front();
   PieceMove move(Kind::kTurn, {}, {}, Vec3(0), view, {0.5, 0});
@@ -213,6 +228,28 @@ TEST(Moving, requests_nothing_when_cancelled_or_unmoved) {
   EXPECT_FALSE(b.look().is_away());
   b.run("pieces.move");
   EXPECT_TRUE(b.key(GLFW_KEY_ENTER));
+  EXPECT_FALSE(b.workspace.changes.has_requests());
+}
+
+TEST(Moving, a_right_press_cancels_a_drag) {
+  Bench b;
+  const std::vector<PieceHandle> handles = b.handles();
+  const auto arrow = std::find_if(handles.begin(), handles.end(),
+                                  [](const PieceHandle& handle) { return handle.name == "move X"; });
+  ASSERT_NE(arrow, handles.end());
+  PointerInput& input = b.workspace.input;
+  input.pointer = arrow->places[arrow->grip];
+  InputEvent event{InputEvent::Kind::kPress, input.pointer, GLFW_MOUSE_BUTTON_LEFT};
+  input.held = b.feature->begin_interaction({event});
+  ASSERT_TRUE(input.held);
+  event = {InputEvent::Kind::kMove, input.pointer + Vec2(40, 0)};
+  input.held->move(event);
+  EXPECT_TRUE(b.look().is_away());
+  event = {InputEvent::Kind::kPress, event.at, GLFW_MOUSE_BUTTON_RIGHT};
+  EXPECT_TRUE(b.feature->handle_event(event, true));
+  EXPECT_FALSE(b.look().is_away());
+  EXPECT_TRUE(input.held->over());
+  input.held->release(event);
   EXPECT_FALSE(b.workspace.changes.has_requests());
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "ui/editor/inspect/rim_circle.h"

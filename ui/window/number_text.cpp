@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -387,18 +388,29 @@ std::optional<double> NumberEntry::entered(std::string_view text, double present
   return limited;
 }
 
+void EditedText::begin(uint32_t id, std::string shown) {
+  before_ = std::exchange(begun_, {id, std::move(shown)});
+}
+
+bool EditedText::was_active(uint32_t id) const {
+  return typed_at_ == ImGui::GetFrameCount() - 1 && ImGui::GetCurrentContext()->ActiveIdPreviousFrame == id;
+}
+
 std::optional<std::string> EditedText::draw(const char* id, const std::string& shown,
                                             const std::string& fitted) {
   std::array<char, std::tuple_size_v<decltype(typed_)>> text{};
   std::copy_n(shown.begin(), std::min(shown.size(), text.size() - 1), text.begin());
-  const bool active = ImGui::GetActiveID() == ImGui::GetID(id);
+  const ImGuiID own = ImGui::GetID(id);
+  const bool active = ImGui::GetActiveID() == own;
   const bool shortened = fitted != shown && !active;
   if (shortened) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // only hidden, so that it remains editable
   const bool changed = ImGui::InputText(id, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
   if (shortened) ImGui::PopStyleColor();
-  if (ImGui::IsItemActivated()) begun_ = shown;
+  if (ImGui::IsItemActivated()) begin(own, shown);
   if (changed || active) typed_ = text;  // a text equal to the shown one is not reported as a change
-  const bool entered = ImGui::IsItemDeactivatedAfterEdit() && begun_ != typed_.data();
+  if (active) typed_at_ = ImGui::GetFrameCount();
+  const std::string& from = begun_.id == own ? begun_.text : before_.text;
+  const bool entered = ImGui::IsItemDeactivatedAfterEdit() && from != typed_.data();
   if (shortened) {
     const ImVec2 at = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;
     ImGui::GetWindowDrawList()->AddText({at.x + padding.x, at.y + padding.y},

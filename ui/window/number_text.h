@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -116,12 +117,22 @@ class EditedText {
   // Draws the field, which shows `fitted`, or `shown` while it is active. Returns the entered text if it
   // differs from the one shown.
   std::optional<std::string> draw(const char* id, const std::string& shown, const std::string& fitted);
-  // Begins the edit with this text in the next field drawn, which was activated elsewhere.
-  void begin(std::string shown) { begun_ = std::move(shown); }
+  // Begins the edit of the field with this ID of ImGui, which was activated elsewhere and has this text.
+  void begin(uint32_t id, std::string shown);
+  // Returns true if this field was edited in the last frame. If another item has become active since, draw()
+  // still has to be called once, to report the entry.
+  bool was_active(uint32_t id) const;
 
  private:
+  struct Edit {
+    uint32_t id = 0;  // of ImGui
+    std::string text;
+  };
   std::array<char, 128> typed_{};
-  std::string begun_;  // text before the edit
+  int typed_at_ = -1;  // frame of ImGui in which the field was active
+  // Fields with their texts before the edit. A field that becomes active before the last one is drawn begins
+  // its edit before the other one ends.
+  Edit begun_, before_;
 };
 
 // Text fields for numbers with units and arithmetic (see evaluate_number()). A value is entered when the

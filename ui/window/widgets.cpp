@@ -123,7 +123,7 @@ bool draw_slider(const Slider& slider, ImGuiDataType type, Number& value, Number
   const float width = ImGui::CalcItemWidth();
   bool changed = false, shortened = false;
   std::string text = replaced;
-  if (ImGui::TempInputIsActive(id)) {
+  if (ImGui::TempInputIsActive(id) || edited_slider().was_active(id)) {
     ImGui::SetNextItemWidth(width);
     const std::optional<double> typed = draw_field(slider, entry, static_cast<double>(value));
     changed = typed.has_value();
@@ -150,7 +150,7 @@ bool draw_slider(const Slider& slider, ImGuiDataType type, Number& value, Number
     ImGui::PushStyleColor(ImGuiCol_Text, 0);  // the value field shows the number
     changed = ImGui::SliderScalar(slider.id, type, &value, &low, &high, format.c_str(), flags);
     ImGui::PopStyleColor();
-    if (ImGui::TempInputIsActive(id)) edited_slider().begin(number_of(shown));
+    if (ImGui::TempInputIsActive(id)) edited_slider().begin(id, number_of(shown));
     if (changed && replaced.empty()) text = entry.shown(static_cast<double>(value));
     shortened = draw_value(at, field, static_cast<double>(value), text, replaced.empty(), entry);
   }

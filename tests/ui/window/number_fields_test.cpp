@@ -1,8 +1,13 @@
 #include "ui/window/number_text.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
+#include <array>
 #include <cmath>
+#include <string>
+
+#include "ui/window/widgets.h"
 
 namespace kerf {
 namespace {
@@ -57,6 +62,97 @@ TEST_F(NumberEntries, use_the_unit_of_their_format) {
   EXPECT_EQ(*share.entered("45 %", 1), 45);
   const NumberEntry power{"Power", RealFormat("%.4g W"), kWatts};
   EXPECT_EQ(*power.entered("1.5 kW", 1), 1500);
+}
+
+// Widgets of ImGui one below the other, of which no pixel is drawn.
+class Entries : public testing::Test {
+ protected:
+  Entries() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {400, 300};
+    io.DeltaTime = 0.5f;
+    io.Fonts->Build();
+  }
+  ~Entries() override { ImGui::DestroyContext(); }
+
+  virtual void draw() = 0;
+  void frame() {
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({400, 300});
+    ImGui::Begin("fields", nullptr, ImGuiWindowFlags_NoDecoration);
+    draw();
+    ImGui::End();
+    ImGui::Render();
+  }
+  void click(ImVec2 at) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (int i = 0; i < 2; ++i) frame();  // after the first one, the window has its size
+    io.MousePos = {at.x + 3, at.y + 3};
+    frame();
+    io.MouseDown[0] = true;
+    frame();
+    io.MouseDown[0] = false;
+    frame();
+  }
+  void type(const char* text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    frame();
+  }
+};
+
+class FieldEntries : public Entries {
+ protected:
+  void draw() override {
+    for (size_t i = 0; i < shown.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      at.at(i) = ImGui::GetCursorScreenPos();
+      if (const auto text = edited.draw("##field", shown.at(i), shown.at(i)))
+        entries.push_back(std::to_string(i) + ": " + *text);
+      ImGui::PopID();
+    }
+  }
+
+  EditedText edited;
+  std::array<std::string, 2> shown{"0", "1"};
+  std::array<ImVec2, 2> at{};
+  std::vector<std::string> entries;
+};
+
+TEST_F(FieldEntries, are_reported_after_a_click_on_a_field_with_the_same_text) {
+  frame();
+  click(at[1]);
+  type("0");
+  click(at[0]);
+  EXPECT_EQ(entries, std::vector<std::string>{"1: 0"});
+  type("2");
+  click(at[1]);
+  EXPECT_EQ(entries, (std::vector<std::string>{"1: 0", "0: 2"}));
+}
+
+class SliderEntries : public Entries {
+ protected:
+  void draw() override {
+    for (size_t i = 0; i < values.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      at.at(i) = ImGui::GetCursorScreenPos();
+      whole_slider({"Number", "##slider", "A number."}, values.at(i), 0, 9, "");
+      ImGui::PopID();
+    }
+  }
+
+  std::array<int, 2> values{3, 4};
+  std::array<ImVec2, 2> at{};
+};
+
+TEST_F(SliderEntries, are_stored_after_a_click_on_the_slider_above) {
+  frame();
+  click(at[1]);
+  type("7");
+  click(at[0]);
+  EXPECT_EQ(values, (std::array{3, 7}));
 }
 
 }  // namespace

@@ -1,12 +1,16 @@
 #include "ui/editor/inspect/reference_mesh.h"
 
+#include <cmath>
+#include <new>
 #include <utility>
 #include <vector>
 
 #include "core/base/assert.h"
 #include "core/document/extract.h"
 #include "core/mesh/build_mesh.h"
+#include "core/mesh/files/scanner.h"
 #include "core/mesh/measures.h"
+#include "core/mesh/mesh_file.h"
 
 namespace kerf {
 
@@ -31,6 +35,53 @@ Soup visible_faces(const World& world) {
   return soup;
 }
 
+Bounds bounds_of(const std::vector<Vec3>& positions) {
+  Bounds bounds = Bounds::none();
+  for (const Vec3& p : positions) {
+    if (std::isfinite(p.x + p.y + p.z)) bounds.add(p);
+  }
+  return bounds;
+}
+
+// Returns the length in metres of one unit of the positions that were read.
+double metres_of(const Soup& soup, const Bounds& bounds, const ReferenceRequest& request) {
+  const auto format = mesh_format(soup.format);
+  if (!format || states_unit(*format)) return 1;
+  const double read = metres_per_unit(request.unit);
+  const FileUnit unit = request.usual_unit ? *request.usual_unit
+                                           : guess_frame(*format, bounds.min / read, bounds.max / read).unit;
+  return metres_per_unit(unit) / read;
+}
+
+// Scales the reference to the unit of the document if the sizes show that it has another one.
+void bring_to_unit_of_document(Soup& soup, const Soup& visible, const ReferenceRequest& request) {
+  const Bounds bounds = bounds_of(soup.positions);
+  const double size = bounds.diagonal() / bounds_of(visible.positions).diagonal();
+  if (!std::isfinite(size) || !(size > 0)) return;
+  const double scale = metres_of(soup, bounds, request) / metres_per_unit(request.document_unit);
+  if (std::abs(std::log(size * scale)) >= std::abs(std::log(size))) return;
+  for (Vec3& p : soup.positions) p *= scale;
+}
+
+// Like load_mesh(), in the unit of the document.
+Result<BuiltMesh> load_in_unit_of_document(const ReferenceRequest& request, const Soup& visible,
+                                           const Progress& progress) {
+  ProgressShares shares(&progress);
+  const Progress reading = shares.next(0.2), building = shares.next(0.8);
+  auto soup = read_mesh(request.file, &reading, request.unit);
+  if (!soup) return soup.error();
+  const std::string name = one_line(request.file.string());
+  try {
+    bring_to_unit_of_document(*soup, visible, request);
+    auto built = build_mesh(*soup, &building);
+    if (!built && built.error().code == ErrorCode::kBadInput)
+      return bad_input(name + ": " + built.error().message);
+    return built;
+  } catch (const std::bad_alloc&) {
+    return failed(name + ": not enough memory to build its mesh.");
+  }
+}
+
 }  // namespace
 
 ReferenceMesh::ReferenceMesh(std::filesystem::path path, Mesh built, bool is_closed)
@@ -42,14 +93,14 @@ Result<std::shared_ptr<const ReferenceMesh>> load_reference(const World& world,
   ProgressShares shares(progress);
   const Progress loading = shares.next(0.4), building = shares.next(0.1), aligning = shares.next(0.25),
                  measuring = shares.next(0.25);
-  auto built = load_mesh(request.file, &loading, request.reading);
+  const Soup soup = visible_faces(world);
+  if (soup.triangles.empty()) return bad_input("No piece is visible, so there is nothing to compare.");
+  auto built = load_in_unit_of_document(request, soup, loading);
   if (!built) return built.error();
   const Vec3 middle = 0.5 * (built->report.min + built->report.max);
   const bool closed = enclosed_volume(built->mesh, middle).closed;
   auto reference = std::make_shared<ReferenceMesh>(request.file, std::move(built->mesh), closed);
 
-  const Soup soup = visible_faces(world);
-  if (soup.triangles.empty()) return bad_input("No piece is visible, so there is nothing to compare.");
   const auto visible = build_mesh(soup, &building);
   if (!visible) return visible.error();
   const AabbTree tree(visible->mesh);

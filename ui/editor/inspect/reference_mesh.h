@@ -9,8 +9,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/result.h"
+#include "core/mesh/files/mesh_format.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/mesh_file.h"
 #include "core/tree/aabb_tree.h"
 #include "core/tree/surface_comparison.h"
 #include "core/world/world.h"
@@ -33,11 +33,16 @@ struct ReferenceMesh {
   SurfaceComparison found;  // of the pieces that were visible when it was loaded
 };
 
-// How to load a reference.
+// How to load a reference. A document keeps the numbers of its files, so a reference may have another unit.
+// It is scaled from the unit that it states, or that its format usually has, to that of the document, unless
+// it then differs more in size from the visible faces: exports of a document have the numbers of the
+// document.
 struct ReferenceRequest {
   std::filesystem::path file;
-  MeshReading reading;
+  FileUnit unit = FileUnit::kMetre;  // see read_mesh
   Alignment alignment = Alignment::kNone;
+  FileUnit document_unit = FileUnit::kMetre;  // of the numbers in the world
+  std::optional<FileUnit> usual_unit = {};    // of files of this format; nullopt: guessed (see guess_frame)
 };
 
 // Loads a reference, aligns the visible faces of the world with it and measures their distances, as `kerf

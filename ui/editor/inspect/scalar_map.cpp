@@ -526,10 +526,14 @@ class ScalarMapFeature : public Feature {
            settings_.folder, "");
     services_.browser.kind = FileKind::kMeshes;
   }
-  // Values of a file without a unit are in that of the open document.
+  // Reads the file in the unit of the first mesh of the document, if the file states none.
   void load_reference_from(const std::filesystem::path& file) {
-    ReferenceRequest request{file, {}, alignment_};
-    if (!session_.scene.bodies.empty()) request.reading.unit = session_.scene.bodies.front().unit;
+    ReferenceRequest request{.file = file, .alignment = alignment_, .document_unit = view_.frame.unit};
+    if (!session_.scene.bodies.empty()) request.unit = session_.scene.bodies.front().unit;
+    if (const auto format = mesh_format(file.extension().string())) {
+      const auto usual = settings_.frames.find(std::string(format_row(*format).ending));
+      if (usual != settings_.frames.end() && usual->second) request.usual_unit = usual->second->unit;
+    }
     loader_.begin(session_.world(), std::move(request));
     services_.panels.show(kScalarPanel);
   }

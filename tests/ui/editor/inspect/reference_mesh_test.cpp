@@ -26,17 +26,18 @@ World world_of(const Soup& soup) {
 
 class ReferenceMeshTest : public testing::Test {
  protected:
-  std::filesystem::path written(const Soup& soup) const {
-    const std::filesystem::path file = folder_.path() / "reference.obj";
+  std::filesystem::path written(const Soup& soup, MeshFormat format = MeshFormat::kObj) const {
+    const std::filesystem::path file =
+        folder_.path() / ("reference." + std::string(format_row(format).ending));
     MeshView mesh;
     mesh.positions = soup.positions;
     mesh.triangles = soup.triangles;
-    EXPECT_TRUE(write_mesh(mesh, file, MeshFormat::kObj));
+    EXPECT_TRUE(write_mesh(mesh, file, format));
     return file;
   }
   std::shared_ptr<const ReferenceMesh> loaded(const World& world, const Soup& soup,
                                               Alignment alignment = Alignment::kNone) const {
-    auto reference = load_reference(world, {written(soup), {}, alignment}, nullptr);
+    auto reference = load_reference(world, {.file = written(soup), .alignment = alignment}, nullptr);
     EXPECT_TRUE(reference) << reference.error().message;
     return *reference;
   }
@@ -103,15 +104,42 @@ TEST_F(ReferenceMeshTest, alignment_moves_the_distances_but_not_the_scene) {
 TEST_F(ReferenceMeshTest, hidden_bodies_are_not_compared) {
   World world = world_of(cube(1));
   world.body(world.ids().front()).hidden = true;
-  const auto reference = load_reference(world, {written(cube(1)), {}, Alignment::kNone}, nullptr);
+  const auto reference = load_reference(world, {written(cube(1))}, nullptr);
   ASSERT_FALSE(reference);
   EXPECT_EQ(reference.error().message, "No piece is visible, so there is nothing to compare.");
+}
+
+TEST_F(ReferenceMeshTest, files_in_metres_are_compared_in_the_unit_of_the_document) {
+  const World in_mm = world_of(cube(1000));
+  for (const MeshFormat format : {MeshFormat::kGlb, MeshFormat::k3mf}) {
+    const auto reference = load_reference(
+        in_mm, {.file = written(cube(1), format), .document_unit = FileUnit::kMillimetre}, nullptr);
+    ASSERT_TRUE(reference) << reference.error().message;
+    EXPECT_NEAR((*reference)->found.max, 0, 1e-3);
+  }
+}
+
+TEST_F(ReferenceMeshTest, files_in_millimetres_are_compared_with_a_document_in_metres) {
+  const auto reference =
+      load_reference(world_of(cube(1.2)), {written(cube(1000), MeshFormat::kStl)}, nullptr);
+  ASSERT_TRUE(reference) << reference.error().message;
+  EXPECT_NEAR((*reference)->found.max, 0.1 * kSide * std::sqrt(3.0), 1e-6);
+}
+
+TEST_F(ReferenceMeshTest, files_with_the_numbers_of_the_document_are_not_scaled) {
+  const World in_mm = world_of(cube(1000));
+  for (const MeshFormat format : {MeshFormat::kGlb, MeshFormat::kObj, MeshFormat::kStl}) {
+    const auto reference = load_reference(
+        in_mm, {.file = written(cube(1000), format), .document_unit = FileUnit::kMillimetre}, nullptr);
+    ASSERT_TRUE(reference) << reference.error().message;
+    EXPECT_NEAR((*reference)->found.max, 0, 1e-3);
+  }
 }
 
 TEST_F(ReferenceMeshTest, the_loader_reports_a_missing_file_and_can_be_cancelled) {
   const World world = world_of(cube(1));
   ReferenceLoader loader;
-  loader.begin(world, {folder_.path() / "missing.obj", {}, Alignment::kNone});
+  loader.begin(world, {folder_.path() / "missing.obj"});
   EXPECT_TRUE(loader.busy());
   auto taken = loader.take();
   while (!taken) {
@@ -121,7 +149,7 @@ TEST_F(ReferenceMeshTest, the_loader_reports_a_missing_file_and_can_be_cancelled
   ASSERT_FALSE(*taken);
   EXPECT_NE(taken->error().message.find("missing.obj"), std::string::npos);
   EXPECT_FALSE(loader.busy());
-  loader.begin(world, {written(cube(1)), {}, Alignment::kNone});
+  loader.begin(world, {written(cube(1))});
   loader.cancel();
   EXPECT_FALSE(loader.busy());
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -36,8 +37,15 @@ class GraphPanel {
   void draw(GraphState& graph, const Document& document, ViewState& view, std::optional<Vec2> pointer);
   // Frames the whole graph. Returns false if the pointer is not over it.
   bool fit_under_pointer();
+  // Discards the pieces and the typed face of a document that was closed.
+  void forget();
 
  private:
+  // The pieces are unchanged while these are equal.
+  struct PiecesKey {
+    size_t commands = 0, revision = 0, pieces = 0, position = 0;
+    friend bool operator==(const PiecesKey&, const PiecesKey&) = default;
+  };
   void draw_rows(GraphState& graph, const Document& document, ViewState& view);
   void draw_rows_of_faces(GraphState& graph, const Document& document, const ViewState& view);
   void find_row(GraphState& graph, const Document& document);
@@ -55,7 +63,7 @@ class GraphPanel {
   std::array<char, 12> typed_{};  // number of the face to find
   bool found_ = true;             // false: no node shows it
   std::vector<PieceTreeRow> rows_;
-  size_t origins_of_ = static_cast<size_t>(-1);  // length of the journal for which the rows were computed
+  std::optional<PiecesKey> rows_of_;  // nullopt: the rows were not computed
 };
 
 namespace {
@@ -228,6 +236,12 @@ class GraphFeature : public Feature {
     return fits && panel_.fit_under_pointer();
   }
 
+  void on_document_opened() override {
+    graph_.forget();
+    panel_.forget();
+    workspace_.view.look.graph.reset();
+    workspace_.view.look.lit_face.reset();
+  }
   void after_queue(double seconds) override {
     ViewState& view = workspace_.view;
     const Document& document = workspace_.session.document;
@@ -347,6 +361,13 @@ bool GraphPanel::fit_under_pointer() {
   return true;
 }
 
+void GraphPanel::forget() {
+  rows_.clear();
+  rows_of_.reset();
+  typed_ = {};
+  found_ = true;
+}
+
 // Draws the reason for the missing graph.
 static void draw_absence(GraphState& graph) {
   if (!graph.is_left_out())
@@ -402,10 +423,9 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const Document& document,
 }
 
 void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
-  if (origins_of_ != document.journal().size()) {
-    rows_ = piece_tree(piece_origins(document));
-    origins_of_ = document.journal().size();
-  }
+  const PiecesKey now{document.journal().size(), document.revision(), document.world().live_pieces(),
+                      document.history().position()};
+  if (std::exchange(rows_of_, now) != now) rows_ = piece_tree(piece_origins(document));
   std::erase_if(rows_,
                 [&](const PieceTreeRow& row) { return !document.world().contains(row.origin.piece.body); });
   draw_piece_tree(rows_, document, view);

@@ -246,6 +246,14 @@ void GraphState::clear() {
   playing_ = false;
 }
 
+void GraphState::forget() {
+  clear();
+  key_ = {};
+  piece_.reset();
+  left_out_ = 0;
+  asked_ = false;
+}
+
 bool GraphState::read(const Document& document, const Progress* progress) {
   const auto goes_on = [&](double done) { return progress == nullptr || progress->report(done); };
   clear();

@@ -29,6 +29,9 @@ class GraphState {
   // Returns true if the document has changed since follow().
   bool is_old(const Document& document) const { return !(key_ == key_of(document)); }
 
+  // Discards the graph of a document that was closed; the layout and the scope stay.
+  void forget();
+
   // From the next follow() on, shows the graph of one piece (nullopt: of none), or again that of the cut.
   void show_piece(std::optional<PieceId> piece);
   void show_cut();

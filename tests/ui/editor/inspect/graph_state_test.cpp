@@ -45,6 +45,17 @@ TEST(GraphState, updates_only_when_no_stroke_is_being_cut) {
   EXPECT_FALSE(graph.closings().empty());
 }
 
+TEST(GraphState, is_read_again_for_a_document_that_looks_like_the_last_one) {
+  const Document document = sheet_to_cut();
+  GraphState graph;
+  graph.follow(document);
+  graph.forget();
+  EXPECT_EQ(graph.drawn(), nullptr);
+  EXPECT_EQ(graph.reached(), 0u);
+  EXPECT_TRUE(graph.follow(document));
+  EXPECT_EQ(graph.total(), document.world().live_faces());
+}
+
 TEST(GraphState, knows_pieces_that_were_cut_off_after_they_left_the_body) {
   Document document = sheet_to_cut();
   cut_at(document, 0.1);

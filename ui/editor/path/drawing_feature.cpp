@@ -106,6 +106,7 @@ class DrawingFeature : public Feature {
     uncut_.clear();
   }
   void on_document_opened() override {
+    uncut_ = UncutMarks();
     if (drawing_) remove();
   }
 

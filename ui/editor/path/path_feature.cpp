@@ -144,6 +144,7 @@ class PathFeature : public Feature {
   void on_document_opened() override {
     path_ = path_of_entry(head_entry(workspace_.session.scene, kPathKey), workspace_.world());
     kept_ = path_.changes();
+    uncut_ = UncutMarks();
   }
   // Draws the path while its tool is active or its panel is unfolded.
   void draw_overlay(ImDrawList& list) override {

@@ -198,9 +198,12 @@ class EmitterFeature : public Feature {
     place_in_view(emitter_, view, surface ? surface->at : workspace_.view.camera.pivot(),
                   diagonal > 0 ? kEmitterAway * diagonal : 1);
   }
-  // Begins, continues or ends the stroke of the emitter as switched, or fires the due shot.
+  // Begins, continues or ends the stroke of the emitter as switched, or fires the due shot. A stroke that
+  // another command ended in the document switches the emitter off.
   void follow_switch(double now) {
     LaserTool& beam = workspace_.beam;
+    const bool in_stroke = workspace_.session.document.queue().in_stroke();
+    if (emitter_.drawing && beam.has_begun() && !in_stroke) cancel_stroke(workspace_);
     const bool ended_elsewhere =
         (emitter_.drawing && !beam.cutting()) || (workspace_.input.held && workspace_.input.held->cuts());
     if (ended_elsewhere) emitter_.firing = emitter_.drawing = false;

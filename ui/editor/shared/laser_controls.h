@@ -125,8 +125,10 @@ class LaserTool {
   void follow_time(Document& document, bool passes);
 
   bool cutting() const { return cutting_; }
+  // Returns true if the document has received the stroke being drawn. Other commands may end it there.
+  bool has_begun() const { return cutting_ && held_.empty(); }
   // Returns true if the beam heats its target.
-  bool emits() const { return cutting_ && held_.empty() && settings_.model == Model::kThermal; }
+  bool emits() const { return has_begun() && settings_.model == Model::kThermal; }
 
   // Shows the beam of a stroke that is cut again, or that was not drawn with this tool: with the given
   // settings and at a distance of about `emitter` [m]. No-op while a stroke is drawn.

@@ -55,6 +55,18 @@ TEST_F(LaserToolTest, a_click_off_the_body_adds_no_step_unless_the_beam_edge_tou
   EXPECT_GT(document.history().totals().removed_faces, 0u);
 }
 
+TEST_F(LaserToolTest, a_stroke_has_begun_once_its_beam_meets_the_body_even_if_a_command_ends_it) {
+  tool.press(document, view, {-0.9, 0}, controls, 7);
+  EXPECT_FALSE(tool.has_begun());
+  tool.move(document, view, {0, 0}, 2.0 / 700, 7.5);
+  EXPECT_TRUE(tool.has_begun() && document.queue().in_stroke());
+  ASSERT_TRUE(document.apply(RenamePiece{{document.world().ids().front(), 0}, "part"}).ok());
+  EXPECT_TRUE(tool.has_begun() && !document.queue().in_stroke());
+  const size_t commands = document.journal().size();
+  EXPECT_FALSE(tool.release(document));
+  EXPECT_EQ(document.journal().size(), commands);
+}
+
 TEST_F(LaserToolTest, a_drag_that_begins_off_the_body_keeps_its_first_pose) {
   tool.press(document, view, {-0.9, 0}, controls, 7);
   EXPECT_TRUE(document.journal().empty());

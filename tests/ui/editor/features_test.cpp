@@ -155,6 +155,21 @@ TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_
   EXPECT_EQ(show, default_show());
 }
 
+TEST_F(Actions, change_the_levels_of_the_tree_within_its_depth) {
+  TreeOverlay& tree = workspace.view.look.tree;
+  workspace.view.look.show.aabb = true;
+  workspace.services.statistics.shown.tree = TreeStatistics{.levels = std::vector<TreeLevel>(6)};
+  tree.one_level = true;
+  tree.deepest = 5;
+  find_action(actions, "tree.level_more")->run();
+  EXPECT_EQ(tree.deepest, 5);
+  find_action(actions, "tree.level_less")->run();
+  EXPECT_EQ(tree.deepest, 4);
+  workspace.services.statistics.shown.tree.reset();
+  find_action(actions, "tree.level_less")->run();
+  EXPECT_EQ(tree.deepest, 4) << "the depth of the tree is unknown";
+}
+
 TEST(FeatureLinks, separate_the_files_of_features_from_those_to_open) {
   const test::EditorFeatures editor;
   std::vector<std::filesystem::path> files{"part.obj", "lines.svg", "car.json", "lines.dxf"};

@@ -32,6 +32,11 @@ int depth_of(const ShownStatistics& shown) {
   return shown.tree ? std::max(1, static_cast<int>(shown.tree->levels.size()) - 1) : 1;
 }
 
+// Sets the number of levels, 0 to `all`. A tree of which all levels are drawn keeps them all as it grows.
+void set_depth(TreeOverlay& tree, int depth, int all) {
+  tree.deepest = depth == all && !tree.one_level ? kAllLevels : depth;
+}
+
 std::string text_of_level(const TreeLevel& level) {
   return grouped(level.boxes) + (level.boxes == 1 ? " box" : " boxes") + ", " +
          text_of("%.3g", level.visits) + " visited per random line, overlap " +
@@ -47,7 +52,7 @@ void depth_row(ViewState& view, const ShownStatistics& shown) {
   if (tree.one_level) text = std::to_string(depth);
   const std::string meaning = explanation(view, "Number of levels drawn below the root of the tree.");
   if (whole_slider({"Max. Depth", "##depth", meaning.c_str()}, depth, 0, deepest, text)) {
-    tree.deepest = depth == deepest && !tree.one_level ? kAllLevels : depth;
+    set_depth(tree, depth, deepest);
     view.picture_old = true;
   }
   if (!tree.one_level || !shown.tree || static_cast<size_t>(depth) >= shown.tree->levels.size()) return;
@@ -87,6 +92,7 @@ void draw_histogram(ViewState& view, const TreeStatistics& statistics) {
   const std::string name = "Level " + std::to_string(under) + ": ";
   ImGui::SetTooltip("%s", (name + text_of_level(statistics.levels[under]) + ". Click to show.").c_str());
   if (!clicked) return;
+  view.look.show.aabb = true;
   view.look.tree.one_level = true;
   view.look.tree.deepest = static_cast<int>(under);
   view.picture_old = true;
@@ -185,9 +191,11 @@ UserAction level_action(ViewState& view, const ShownStatistics& shown, const cha
                         int by) {
   UserAction action = picture_action(view, id, name, "Number of levels drawn below the root of the tree.",
                                      [&view, &shown, by] {
+                                       if (!shown.tree) return;
+                                       TreeOverlay& tree = view.look.tree;
                                        const int all = depth_of(shown);
-                                       int& deepest = view.look.tree.deepest;
-                                       deepest = std::max(0, std::min(deepest, all) + by);
+                                       const int depth = std::min(tree.deepest, all) + by;
+                                       set_depth(tree, std::clamp(depth, 0, all), all);
                                      });
   action.disabled_reason = [&view] {
     return view.look.show.aabb ? nullptr : "The boxes are hidden: turn on AABB Tree.";
@@ -235,7 +243,7 @@ class TreeFeature : public Feature {
             palette_action(view_, settings_.palette)};
   }
   void update(double) override {
-    services_.statistics.tree_wanted = services_.panels.shows("tree");
+    services_.statistics.tree_wanted = services_.panels.shows("tree") || view_.look.show.aabb;
     TreeOverlay& tree = view_.look.tree;
     if (tree.one_level && tree.deepest == kAllLevels) tree.deepest = kFirstLevel, view_.picture_old = true;
     std::optional<FaceOfBody> face;

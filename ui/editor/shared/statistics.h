@@ -89,7 +89,7 @@ struct ShownStatistics {
   std::string time;  // speed of time; empty: paused
   std::string work;  // of the beam after the end of its stroke; may be empty
   size_t tree_nodes = 0;
-  std::optional<TreeStatistics> tree;  // sums over all bodies; nullopt until a panel shows them
+  std::optional<TreeStatistics> tree;  // sums over all bodies; nullopt until Statistics::tree_wanted
   MemoryStatistics memory;
   // The last stroke that is not undone, or the sum over its group (see StepGroups); nullopt without one or
   // if a knife has cut since.

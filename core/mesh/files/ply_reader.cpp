@@ -381,6 +381,10 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
   take_looks(body, std::move(corners), *soup);
   take_attributes(header, std::move(body.vertices.attributes), *soup);
   soup->surfaces = surfaces_of(header, folder, soup->warnings);
+  if (soup->surfaces) {
+    const std::string& image = soup->surfaces->images[0].name;
+    soup->material_names.push_back(image.empty() ? "texture" : image);
+  }
   soup->colours = std::move(body.vertices.colours);
   if (soup->colours.empty()) soup->colours = body.numbers.take(soup->positions.size(), soup->warnings);
   soup->format = "ply";

@@ -256,6 +256,28 @@ TEST(LooksOfPly, are_read_per_vertex_or_per_corner) {
   }
 }
 
+TEST(LooksOfPly, have_a_material_with_the_name_of_the_image) {
+  const TemporaryFolder folder;
+  const std::string elements =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n";
+  const std::string head = "ply\nformat ascii 1.0\n", texture = "comment TextureFile ";
+  std::filesystem::create_directories(folder / "maps");
+  write_text(folder / "maps/paint.png", kPng);
+  const auto painted =
+      read_ply(head + texture + "maps/paint.png\n" + elements, "a.ply", nullptr, folder.path());
+  ASSERT_TRUE(painted.ok()) << painted.error().message;
+  EXPECT_EQ(painted->material_names, std::vector<std::string>{"paint.png"});
+  EXPECT_TRUE(painted->materials.empty());
+  EXPECT_EQ(painted->surfaces->images[0].bytes, kPng);
+  const auto nameless = read_ply(head + texture + "maps/\n" + elements, "a.ply", nullptr, folder.path());
+  ASSERT_TRUE(nameless.ok()) << nameless.error().message;
+  EXPECT_EQ(nameless->material_names, std::vector<std::string>{"texture"});
+  const auto plain = read_ply(head + elements, "a.ply", nullptr, folder.path());
+  ASSERT_TRUE(plain.ok()) << plain.error().message;
+  EXPECT_TRUE(plain->material_names.empty());
+}
+
 TEST(GltfSurfaces, keep_extensions_and_renumber_textures) {
   SurfaceLibrary library;
   library.images = {{"unused", "", "image/png", "u"}, {"a", "", "image/png", "a"}, {"gone", "", "", ""}};

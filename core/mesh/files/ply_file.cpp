@@ -79,13 +79,16 @@ class HeaderReader {
     if (keyword == "format") return read_format();
     if (keyword == "element") return read_element();
     if (keyword == "property") return read_property();
-    if (keyword == "comment" && header_.texture_file.empty()) read_comment();
+    if (keyword == "comment") read_comment();
     if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
     return pass_over_stray_line();
   }
 
   void read_comment() {
-    if (scanner_.word() == "TextureFile") header_.texture_file = scanner_.rest_of_line();
+    if (scanner_.word() != "TextureFile") return;
+    const std::string name(scanner_.rest_of_line());
+    if (name.empty()) return;
+    if (header_.textures++ == 0) header_.texture_file = name;
   }
 
   Problem read_format() {

@@ -38,6 +38,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;   // in the order of the data, with distinct names
   std::string texture_file;           // of the first comment "TextureFile"; empty if there is none
+  size_t textures = 0;                // comments "TextureFile"
   std::vector<std::string> warnings;  // a sentence each, for the load report
 };
 

@@ -329,6 +329,8 @@ std::shared_ptr<const SurfaceLibrary> surfaces_of(const PlyHeader& header,
                                                   const std::filesystem::path& folder,
                                                   std::vector<std::string>& warnings) {
   if (header.texture_file.empty() || folder.empty()) return nullptr;
+  if (header.textures > 1)
+    warnings.push_back("Only the first of " + std::to_string(header.textures) + " textures was read.");
   auto library = std::make_shared<SurfaceLibrary>();
   library->materials.push_back({{{"map_Kd ", 0u}}, {}});
   library->images.push_back(read_image(folder, header.texture_file, warnings));

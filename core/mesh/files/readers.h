@@ -56,8 +56,9 @@ Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
 // are custom attributes in single precision, at most kMaxLookAttributes. The list
 // vertex_indices (or vertex_index) of "face" gives a polygon, and "texcoord" the UVs of its corners; that of
 // "tristrips" gives triangle strips, each ended by an index of -1, whose triangles count as faces. The image
-// of a comment "TextureFile" is read from `folder`, the folder of the file, or below; if it is empty, no
-// other file is read. Everything else is ignored. A face that refers to a missing vertex is dropped and
+// of the first comment "TextureFile" is read from `folder`, the folder of the file, or below, and gives the
+// only material its name; if `folder` is empty, no other file is read. Everything else is ignored; further
+// images, with a warning. A face that refers to a missing vertex is dropped and
 // counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
 // null.
 Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,

@@ -270,6 +270,12 @@ TEST(LooksOfPly, have_a_material_with_the_name_of_the_image) {
   EXPECT_EQ(painted->material_names, std::vector<std::string>{"paint.png"});
   EXPECT_TRUE(painted->materials.empty());
   EXPECT_EQ(painted->surfaces->images[0].bytes, kPng);
+  EXPECT_TRUE(painted->warnings.empty());
+  const auto second = read_ply(head + texture + "maps/paint.png\n" + texture + "b.png\n" + elements, "a.ply",
+                               nullptr, folder.path());
+  ASSERT_TRUE(second.ok()) << second.error().message;
+  EXPECT_EQ(second->surfaces->images.size(), 1u);
+  EXPECT_EQ(second->warnings, std::vector<std::string>{"Only the first of 2 textures was read."});
   const auto nameless = read_ply(head + texture + "maps/\n" + elements, "a.ply", nullptr, folder.path());
   ASSERT_TRUE(nameless.ok()) << nameless.error().message;
   EXPECT_EQ(nameless->material_names, std::vector<std::string>{"texture"});

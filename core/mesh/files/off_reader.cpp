@@ -55,6 +55,7 @@ class OffReader {
     if (!soup) return soup;
     soup->format = "off";
     soup->colours = colours_.take(soup->positions.size(), soup->warnings);
+    if (has_face_colours_) soup->warnings.emplace_back("Colours of faces were ignored.");
     if (!scanner_.at_end())
       soup->warnings.push_back("Data after the last face that the header declares were ignored.");
     if (scanner_.garbled_numbers() > 0) soup->warnings.push_back(scanner_.garbled_numbers_warning());
@@ -157,6 +158,7 @@ class OffReader {
       polygons_.add_corner(*vertex);
     }
     polygons_.close();
+    has_face_colours_ = has_face_colours_ || !scanner_.at_line_end();
     scanner_.skip_line();
     return std::nullopt;
   }
@@ -169,6 +171,7 @@ class OffReader {
   std::vector<Vec3> positions_;
   ColourNumbers colours_;  // by position
   PolygonList polygons_;
+  bool has_face_colours_ = false;
 };
 
 }  // namespace

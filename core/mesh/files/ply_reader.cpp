@@ -391,6 +391,10 @@ Result<Soup> read_body(Scanner& scanner, Values values, const PlyHeader& header,
   if (soup->colours.empty()) soup->colours = body.numbers.take(soup->positions.size(), soup->warnings);
   soup->format = "ply";
   soup->warnings.insert(soup->warnings.end(), header.warnings.begin(), header.warnings.end());
+  const bool has_face_colours = std::ranges::any_of(header.elements, [](const PlyElement& element) {
+    return element.name == "face" && element.count > 0 && colour_properties_of(element);
+  });
+  if (has_face_colours) soup->warnings.emplace_back("Colours of faces were ignored.");
   const bool rest = header.encoding == PlyEncoding::kText ? !scanner.at_end() : scanner.left() > 0;
   if (rest) soup->warnings.push_back("Data after the last element that the header declares were ignored.");
   if (scanner.garbled_numbers() > 0) soup->warnings.push_back(scanner.garbled_numbers_warning());

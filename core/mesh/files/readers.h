@@ -31,9 +31,9 @@ bool is_off_keyword(std::string_view word);
 
 // Reads OFF, COFF, NOFF, STOFF and their combinations in text form, with comments, and with the counts on the
 // line of the keyword or on the next one. Reads positions, vertex colours (see ColourNumbers) and faces;
-// ignores face colours, normals and texture coordinates. Rejects binary OFF and OFF in four or n dimensions.
-// A face that refers to a missing vertex is dropped and counted. Linear in the number of bytes, except for
-// large polygons (see Triangulator). `progress` may be null.
+// ignores normals, texture coordinates and, with a warning, face colours. Rejects binary OFF and OFF in four
+// or n dimensions. A face that refers to a missing vertex is dropped and counted. Linear in the number of
+// bytes, except for large polygons (see Triangulator). `progress` may be null.
 Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
@@ -58,7 +58,7 @@ Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
 // "tristrips" gives triangle strips, each ended by an index of -1, whose triangles count as faces. The image
 // of the first comment "TextureFile" is read from `folder`, the folder of the file, or below, and gives the
 // only material its name; if `folder` is empty, no other file is read. Everything else is ignored; further
-// images, with a warning. A face that refers to a missing vertex is dropped and
+// images and colours of faces, with a warning. A face that refers to a missing vertex is dropped and
 // counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
 // null.
 Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,

@@ -23,9 +23,9 @@ Soup obj(const Words& words) {
   return soup ? *soup : Soup();
 }
 Soup off(const std::string& keyword, const Words& words) {
-  const Result<Soup> soup = read_off(keyword + "\n3 1 0\n0 0 0 " + words[0] + "\n1 0 0 " + words[1] +
-                                         "\n0 1 0 " + words[2] + "\n3 0 1 2 9 9 9\n",
-                                     "t.off");
+  const Result<Soup> soup = read_off(
+      keyword + "\n3 1 0\n0 0 0 " + words[0] + "\n1 0 0 " + words[1] + "\n0 1 0 " + words[2] + "\n3 0 1 2\n",
+      "t.off");
   EXPECT_TRUE(soup) << (soup ? "" : soup.error().message);
   return soup ? *soup : Soup();
 }

@@ -30,6 +30,8 @@ TEST(OffReader, ignores_values_after_positions_and_corners) {
   ASSERT_TRUE(soup);
   EXPECT_EQ(soup->positions[2], Vec3(1, 1, 0));
   EXPECT_EQ(test::area(*soup), 1.0);
+  ASSERT_FALSE(soup->warnings.empty());
+  EXPECT_EQ(soup->warnings.back(), "Colours of faces were ignored.");
 }
 
 TEST(OffReader, counts_faces_with_missing_vertices) {

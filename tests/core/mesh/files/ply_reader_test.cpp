@@ -133,6 +133,15 @@ TEST(PlyReader, rejects_stray_lines_elsewhere_in_the_header) {
   EXPECT_EQ(ply_refusal(file(bytes + kVertices + kFaces, kData)), "t.ply, line 3: " + why);
 }
 
+TEST(PlyReader, reports_colours_of_faces) {
+  const std::string colours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const Result<Soup> soup =
+      read_ply(file(kVertices + kFaces + colours, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), "t.ply");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_TRUE(soup->colours.empty());
+  EXPECT_EQ(soup->warnings, std::vector<std::string>{"Colours of faces were ignored."});
+}
+
 TEST(PlyReader, preserves_double_precision) {
   const std::string vertices = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
   const Result<Soup> soup =

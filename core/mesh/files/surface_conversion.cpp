@@ -314,13 +314,13 @@ std::string colour_line(const char* keyword, const std::vector<double>& linear) 
   return line;
 }
 
-// Returns the options of a map in MTL for a transform of the UVs; none for a rotation, which MTL cannot
-// state.
+// Returns the options of a map in MTL for a transform of the UVs, with three numbers each because some
+// readers expect them; none for a rotation, which MTL cannot state.
 std::string map_options(const glm::mat3x2& uv) {
   if (uv == SurfaceMaterial().uv_transform || uv[0].y != 0 || uv[1].x != 0) return "";
   const double bottom = 1.0 - static_cast<double>(uv[1].y) - static_cast<double>(uv[2].y);
-  return "-s " + short_number(uv[0].x) + " " + short_number(uv[1].y) + " -o " + short_number(uv[2].x) + " " +
-         short_number(bottom) + " ";
+  return "-s " + short_number(uv[0].x) + " " + short_number(uv[1].y) + " 1 -o " + short_number(uv[2].x) +
+         " " + short_number(bottom) + " 0 ";
 }
 
 }  // namespace

@@ -154,6 +154,14 @@ TEST(LooksOfGltf, round_trip_from_obj) {
   }
 }
 
+// Returns the first line with this keyword; empty if there is none.
+std::string text_with(const std::string& keyword, const std::vector<MtlLine>& lines) {
+  for (const MtlLine& line : lines) {
+    if (line.text.starts_with(keyword + ' ')) return line.text;
+  }
+  return "";
+}
+
 TEST(UvTransform, is_that_of_the_base_colour_map_and_survives_conversion) {
   SurfaceMaterial turned;
   turned.gltf = R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions": {
@@ -182,6 +190,7 @@ TEST(UvTransform, is_that_of_the_base_colour_map_and_survives_conversion) {
   EXPECT_EQ(converted.used_extensions, std::vector<std::string>{"KHR_texture_transform"});
   SurfaceMaterial again;
   again.mtl = mtl_lines(back, material);
+  EXPECT_EQ(text_with("map_Kd", again.mtl), "map_Kd -s 2 3 1 -o 0.25 -0.5 0 ");
   EXPECT_EQ(read_uv_transform(again), tiled.uv_transform);
 }
 

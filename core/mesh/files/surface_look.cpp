@@ -53,7 +53,13 @@ void read_pair(const Json& of, const char* key, glm::dvec2& to) {
   }
 }
 
-// Reads the numbers after an option of a line of MTL over the defaults in `to`.
+// Returns a line of MTL in lower case, with blanks in place of tabs.
+std::string plain_line(std::string line) {
+  for (char& c : line) c = c == '\t' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return line;
+}
+
+// Reads the numbers after an option of a plain line of MTL over the defaults in `to`.
 void read_option(const std::string& line, const char* option, glm::dvec2& to) {
   const size_t at = line.find(std::string(" ") + option + " ");
   if (at == std::string::npos) return;
@@ -125,9 +131,10 @@ glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
     rotation = number(transform, "rotation", 0);
   }
   for (const MtlLine& line : material.mtl) {
-    if (!line.image || !line.text.starts_with("map_Kd")) continue;
-    read_option(line.text, "-s", scale);
-    read_option(line.text, "-o", offset);
+    const std::string text = plain_line(line.text);
+    if (!line.image || !text.starts_with("map_kd ")) continue;
+    read_option(text, "-s", scale);
+    read_option(text, "-o", offset);
     offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
   }
   const SinCos turn = sin_cos(std::fmod(rotation, 2 * kPi));

@@ -194,6 +194,15 @@ TEST(UvTransform, is_that_of_the_base_colour_map_and_survives_conversion) {
   EXPECT_EQ(read_uv_transform(again), tiled.uv_transform);
 }
 
+TEST(UvTransform, is_read_from_mtl_in_any_case_and_with_tabs) {
+  SurfaceMaterial plain, other;
+  plain.mtl = {{"map_Kd -s 2 3 1 -o 0.25 -0.5 0 ", 0u}};
+  other.mtl = {{"map_kd\t-S\t2 3 1\t-o\t0.25\t-0.5\t0\t", 0u}};
+  EXPECT_EQ(read_uv_transform(other), read_uv_transform(plain));
+  other.mtl = {{"map_Kd_gloss -s 2 3 1 ", 0u}};
+  EXPECT_EQ(read_uv_transform(other), SurfaceMaterial().uv_transform);
+}
+
 // A second round trip through a format changes nothing.
 TEST(LooksOfGltf, round_trip_exactly_between_gltf_files) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {

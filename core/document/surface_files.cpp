@@ -20,6 +20,25 @@ bool same_lines(const std::vector<MtlLine>& a, const std::vector<MtlLine>& b) {
   });
 }
 
+// Returns the extensions of a kind of image, the first one to write; none for an unknown kind.
+std::vector<std::string_view> extensions_of(std::string_view mime_type) {
+  if (mime_type == "image/png") return {".png"};
+  if (mime_type == "image/jpeg") return {".jpg", ".jpeg"};
+  if (mime_type == "image/webp") return {".webp"};
+  if (mime_type == "image/ktx2") return {".ktx2"};
+  return {};
+}
+
+// Appends the extension of an image unless the name has it, in any case.
+void add_extension(const SurfaceImage& image, std::string& name) {
+  std::string low = name;
+  for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  const auto known = extensions_of(image.mime_type);
+  if (std::ranges::any_of(known, [&](std::string_view e) { return low.ends_with(e); })) return;
+  if (!known.empty()) name += known[0];
+  if (name.find('.') == std::string::npos) name += ".image";
+}
+
 // Returns a name for an image file on every system, with an extension.
 std::string image_file_name(const SurfaceImage& image) {
   std::string name;
@@ -32,8 +51,7 @@ std::string image_file_name(const SurfaceImage& image) {
   if (name.size() > kMaxName) name.erase(0, name.size() - kMaxName);
   while (!name.empty() && (name.front() == '.' || name.front() == ' ')) name.erase(0, 1);
   if (name.empty()) name = "image";
-  if (name.find('.') == std::string::npos)
-    name += image.mime_type == "image/jpeg" ? ".jpg" : image.mime_type == "image/png" ? ".png" : ".image";
+  add_extension(image, name);
   if (name.starts_with("piece-")) name = "image-" + name;
   return name;
 }

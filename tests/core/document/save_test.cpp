@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/document/scene.h"
+#include "core/document/surface_files.h"
 #include "core/edit/body_edit.h"
 #include "core/edit/separation.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 #include "tests/support/temporary_folder.h"
@@ -66,6 +69,45 @@ TEST(InputFiles, include_at_most_64_different_libraries_of_an_obj_file) {
   inputs.add(folder / "part.obj");
   EXPECT_FALSE(inputs.check("--out", folder / "63.mtl").ok());
   EXPECT_TRUE(inputs.check("--out", folder / "64.mtl").ok());
+}
+
+TEST(SurfaceFiles, give_images_the_extension_of_their_kind) {
+  Soup soup = grid(1, 1);
+  soup.material_names = {"paint"};
+  auto library = std::make_shared<SurfaceLibrary>();
+  library->images = {{"Material.001", "", "image/png", "a"},
+                     {"Paint.JPEG", "", "image/jpeg", "b"},
+                     {"photo.png", "", "image/jpeg", "c"},
+                     {"sky", "", "image/webp", "d"},
+                     {"map.tga", "", "", "e"},
+                     {"plain", "", "", "f"}};
+  library->materials.resize(1);
+  for (uint32_t i = 0; i < library->images.size(); ++i) library->materials[0].mtl.push_back({"map_x ", i});
+  soup.surfaces = library;
+  const World world = world_of(soup);
+  const TemporaryFolder folder;
+  SurfaceFiles files(world);
+  ASSERT_TRUE(files.write(folder.path()).ok());
+  EXPECT_EQ(read_text(folder / "pieces.mtl"),
+            "newmtl paint\nmap_x Material.001.png\nmap_x Paint.JPEG\nmap_x photo.png.jpg\nmap_x sky.webp\n"
+            "map_x map.tga\nmap_x plain.image\n");
+  EXPECT_EQ(read_text(folder / "Material.001.png"), "a");
+}
+
+TEST(SurfaceFiles, keep_the_texture_of_a_ply_file) {
+  const TemporaryFolder folder;
+  write_text(folder / "paint.png", "an image");
+  write_text(folder / "a.ply",
+             "ply\nformat ascii 1.0\ncomment TextureFile paint.png\nelement vertex 3\nproperty float x\n"
+             "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+             "end_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
+  const auto soup = read_mesh(folder / "a.ply");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  const World world = world_of(*soup);
+  SurfaceFiles files(world);
+  ASSERT_TRUE(files.write(folder.path()).ok());
+  EXPECT_EQ(read_text(folder / "pieces.mtl"), "newmtl paint.png\nmap_Kd paint.png\n");
+  EXPECT_EQ(files.names(world.body(world.ids()[0])), std::vector<std::string>{"paint.png"});
 }
 
 // The faces stand in the files in their order, whatever pieces they belong to.

@@ -47,7 +47,7 @@ void LostLooks::add(const Body& body, const Extract& extract, MeshFormat format)
   for (const uint16_t m : std::set<uint16_t>(extract.materials.begin(), extract.materials.end())) {
     if (m >= looks->surfaces()->materials.size()) continue;
     const SurfaceMaterial& material = looks->surfaces()->materials[m];
-    const auto members = is_gltf(format)              ? lost_in_gltf(material)
+    const auto members = is_gltf(format)              ? lost_in_gltf(*looks->surfaces(), material)
                          : format == MeshFormat::k3mf ? lost_in_3mf(material)
                                                       : lost_in_mtl(material);
     if (members.empty()) continue;

@@ -82,6 +82,11 @@ class MtlStatements {
   const SurfaceMaterial& material_;
 };
 
+// Returns true for the kinds of images that glTF holds without an extension.
+bool is_gltf_image(const SurfaceImage& image) {
+  return image.mime_type == "image/png" || image.mime_type == "image/jpeg";
+}
+
 // Collects the materials of one glTF file.
 class GltfCollection {
  public:
@@ -203,7 +208,8 @@ class GltfCollection {
   }
 
   std::optional<SurfaceJson> texture_of_image(std::optional<uint32_t> from) {
-    const auto own = from ? image(*from) : std::nullopt;
+    const bool fits = from && (missing_ == MissingImages::kKeep || is_gltf_image(library_->images[*from]));
+    const auto own = fits ? image(*from) : std::nullopt;
     if (!own) return std::nullopt;
     const auto [known, added] = textures_of_images_.try_emplace(*own, textures_.size());
     if (added) textures_.push_back({{"source", *own}});
@@ -424,14 +430,17 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
   return {lost.begin(), lost.end()};
 }
 
-std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material) {
+std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material) {
   if (!material.gltf.empty()) return {};
   std::set<std::string> lost;
   for (const MtlLine& line : material.mtl) {
     const std::string keyword = mtl_keyword(line);
     const std::string low = lower_case(keyword);
     constexpr std::array<std::string_view, 5> kMaps{"map_kd", "norm", "map_bump", "bump", "map_ke"};
-    if (line.image && std::find(kMaps.begin(), kMaps.end(), low) == kMaps.end()) lost.insert(keyword);
+    if (!line.image) continue;
+    const SurfaceImage& image = library.images[*line.image];
+    const bool is_map = std::find(kMaps.begin(), kMaps.end(), low) != kMaps.end();
+    if (!is_map || (!image.bytes.empty() && !is_gltf_image(image))) lost.insert(keyword);
   }
   return {lost.begin(), lost.end()};
 }

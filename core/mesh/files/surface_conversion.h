@@ -32,7 +32,7 @@ struct GltfSurfaces {
 };
 
 // Returns materials with their names: those of glTF verbatim, with indices of textures renumbered, and those
-// of MTL converted. Files leave out images without bytes.
+// of MTL converted. Files leave out images without bytes, and of MTL those other than PNG and JPEG.
 enum class MissingImages : uint8_t { kLeaveOut, kKeep };
 GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);
@@ -41,7 +41,7 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
 // "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF. 3MF holds the base
 // colour and the opacity only; images are no part of its list.
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
-std::vector<std::string> lost_in_gltf(const SurfaceMaterial& material);
+std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);
 
 }  // namespace kerf

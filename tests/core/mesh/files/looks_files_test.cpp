@@ -331,6 +331,20 @@ TEST(GltfSurfaces, keep_extensions_and_renumber_textures) {
   EXPECT_EQ(out.required_extensions, std::vector<std::string>{"KHR_materials_odd"});
 }
 
+TEST(GltfSurfaces, leave_out_images_of_mtl_other_than_png_and_jpeg) {
+  SurfaceLibrary library;
+  library.images = {{"paint.tga", "", "", "tga"}, {"glow.png", "", "image/png", "png"}};
+  library.materials.resize(1);
+  library.materials[0].mtl = {{"map_Kd ", 0u}, {"map_Ke ", 1u}};
+  const std::vector<GltfMaterial> used{{&library, 0, "paint"}};
+  const GltfSurfaces out = gltf_surfaces(used);
+  EXPECT_EQ(out.sources, std::vector<const SurfaceImage*>{&library.images[1]});
+  EXPECT_FALSE(out.materials[0]["pbrMetallicRoughness"].contains("baseColorTexture"));
+  EXPECT_EQ(out.materials[0]["emissiveTexture"]["index"], 0);
+  EXPECT_EQ(lost_in_gltf(library, library.materials[0]), std::vector<std::string>{"map_Kd"});
+  EXPECT_EQ(gltf_surfaces(used, MissingImages::kKeep).sources.size(), 2u);
+}
+
 TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {
   const Soup plain = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
   const MeshView view{plain.positions, plain.triangles, {}, {}};

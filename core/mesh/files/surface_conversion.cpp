@@ -269,6 +269,12 @@ class GltfCollection {
   std::set<std::string> extensions_, required_;
 };
 
+// Returns a number of a texture of glTF, or of its transform; 0 if there is none.
+double texture_number(const nlohmann::json& texture, const char* key) {
+  if (!texture.is_object() || !texture.contains(key) || !texture[key].is_number()) return 0;
+  return texture[key].get<double>();
+}
+
 // Reads members of a material in glTF.
 class GltfMembers {
  public:
@@ -284,8 +290,10 @@ class GltfMembers {
     }
     return found;
   }
+  // Returns the image of a texture that uses the first UVs.
   std::optional<uint32_t> image(const nlohmann::json& of, const char* key) const {
     if (!of.is_object() || !of.contains(key) || !of[key].is_object()) return std::nullopt;
+    if (texture_number(of[key], "texCoord") != 0) return std::nullopt;
     const auto index = whole(of[key], "index");
     if (!index || *index >= library_.textures.size()) return std::nullopt;
     const auto texture = nlohmann::json::parse(library_.textures[*index], nullptr, false);
@@ -376,6 +384,23 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials, MissingImage
   return out;
 }
 
+namespace {
+
+// Adds the members of a texture in glTF that MTL cannot express.
+void add_lost_of_texture(const std::string& key, const nlohmann::json& texture, std::set<std::string>& lost) {
+  const char* const kTransform = "KHR_texture_transform";
+  if (!texture.is_object()) return;
+  if (texture_number(texture, "texCoord") != 0) {
+    lost.insert(key + " texCoord");
+  } else if (texture.contains("extensions") && texture["extensions"].is_object() &&
+             texture["extensions"].contains(kTransform) &&
+             texture_number(texture["extensions"][kTransform], "rotation") != 0) {
+    lost.insert(kTransform);
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
   std::set<std::string> lost;
   const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
@@ -386,6 +411,8 @@ std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
         for (const auto& extension : value.items()) lost.insert(extension.key());
       } else if (!kept.contains(key)) {
         lost.insert(key);
+      } else if (key.ends_with("Texture")) {
+        add_lost_of_texture(key, value, lost);
       }
     }
   };

@@ -345,6 +345,22 @@ TEST(GltfSurfaces, leave_out_images_of_mtl_other_than_png_and_jpeg) {
   EXPECT_EQ(gltf_surfaces(used, MissingImages::kKeep).sources.size(), 2u);
 }
 
+TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  library.textures = {R"({"source":0})"};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}},)"
+                  R"("emissiveTexture":{"index":0,"texCoord":0},"occlusionTexture":{"index":0,"texCoord":1},)"
+                  R"("normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"rotation":1}}}})";
+  const auto lines = mtl_lines(library, material);
+  EXPECT_EQ(text_with("map_Kd", lines), "");
+  EXPECT_EQ(text_with("map_Ke", lines), "map_Ke ");
+  EXPECT_EQ(
+      lost_in_mtl(material),
+      (std::vector<std::string>{"KHR_texture_transform", "baseColorTexture texCoord", "occlusionTexture"}));
+}
+
 TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {
   const Soup plain = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
   const MeshView view{plain.positions, plain.triangles, {}, {}};

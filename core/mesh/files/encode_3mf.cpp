@@ -77,7 +77,8 @@ ThreeMfColour colour_of(const std::optional<SurfaceLook>& look) {
   ThreeMfColour colour;
   if (!look) return colour;
   const auto part = [&](int k) { return eight_bits(part_of_linear(look->base[k])); };
-  return {part(0), part(1), part(2), eight_bits(colour_part(look->base.w))};
+  const double opacity = look->alpha == SurfaceLook::Alpha::kOpaque ? 1 : look->base.w;
+  return {part(0), part(1), part(2), eight_bits(colour_part(opacity))};
 }
 
 class ThreeMfWriter {

@@ -349,10 +349,12 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   const auto base = members.numbers(pbr, "baseColorFactor");
   const auto metallic = members.numbers(pbr, "metallicFactor"),
              rough = members.numbers(pbr, "roughnessFactor");
+  const nlohmann::json& alpha = members.object("alphaMode");
+  const bool translucent = alpha == "MASK" || alpha == "BLEND";
   const double roughness = rough.empty() ? 1 : std::clamp(rough[0], 0.0, 1.0);
   lines.push_back({colour_line("Kd", base)});
   lines.push_back({"Ns " + short_number(1000 * (1 - roughness) * (1 - roughness))});
-  lines.push_back({"d " + short_number(base.size() > 3 ? base[3] : 1)});
+  lines.push_back({"d " + short_number(translucent && base.size() > 3 ? base[3] : 1)});
   lines.push_back({"Pr " + short_number(roughness)});
   lines.push_back({"Pm " + short_number(metallic.empty() ? 1 : metallic[0])});
   if (const auto emission = members.numbers(json, "emissiveFactor"); !emission.empty())
@@ -361,6 +363,7 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
     if (image) lines.push_back({std::string(keyword) + " " + map_options(material.uv_transform), image});
   };
   add_map("map_Kd", members.image(pbr, "baseColorTexture"));
+  if (translucent) add_map("map_d", members.image(pbr, "baseColorTexture"));
   add_map("map_Ke", members.image(json, "emissiveTexture"));
   add_map("norm", members.image(json, "normalTexture"));
   return lines;

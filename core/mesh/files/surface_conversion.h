@@ -12,8 +12,9 @@
 namespace kerf {
 
 // Returns the lines of a material in MTL: as in the file, or converted from glTF: Kd, Ke, d, Pr, Pm, Ns and
-// the maps of the base colour, the emission and the normals that use the first UVs. Colours are converted
-// from linear light to sRGB.
+// the maps of the base colour, the opacity, the emission and the normals that use the first UVs. Colours are
+// converted from linear light to sRGB. A material whose alphaMode is OPAQUE has the opacity 1 and no map of
+// it.
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
 
 // A material to write. The library, null for none, must outlive all that is made from it.

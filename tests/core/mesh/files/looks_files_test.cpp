@@ -361,6 +361,22 @@ TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
       (std::vector<std::string>{"KHR_texture_transform", "baseColorTexture texCoord", "occlusionTexture"}));
 }
 
+TEST(MtlLines, have_the_opacity_of_the_alpha_mode) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  library.textures = {R"({"source":0})"};
+  const std::string pbr =
+      R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25],"baseColorTexture":{"index":0}})";
+  for (const std::string mode : {"", "OPAQUE", "MASK", "BLEND"}) {
+    SurfaceMaterial material;
+    material.gltf = "{" + pbr + (mode.empty() ? "" : R"(,"alphaMode":")" + mode + "\"") + "}";
+    const auto lines = mtl_lines(library, material);
+    const bool translucent = mode == "MASK" || mode == "BLEND";
+    EXPECT_EQ(text_with("d", lines), translucent ? "d 0.25" : "d 1") << mode;
+    EXPECT_EQ(text_with("map_d", lines), translucent ? "map_d " : "") << mode;
+  }
+}
+
 TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {
   const Soup plain = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
   const MeshView view{plain.positions, plain.triangles, {}, {}};

@@ -205,6 +205,25 @@ TEST(ThreeMf, is_read_back_as_written) {
   }
 }
 
+TEST(ThreeMf, opaque_materials_of_gltf_have_no_opacity) {
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}};
+  const std::vector<uint16_t> materials{0, 1};
+  const std::vector<std::string> names{"paint", "glass"};
+  const std::string pbr = R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.4]})";
+  SurfaceLibrary library;
+  library.materials = {{{}, "{" + pbr + "}"}, {{}, R"({"alphaMode":"BLEND",)" + pbr + "}"}};
+  MeshView view{positions, triangles, materials, names};
+  view.surfaces = &library;
+  const auto soup = read_3mf(encoded(view, MeshFormat::k3mf), "a.3mf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  for (size_t t = 0; t < 2; ++t) {
+    const auto& lines = soup->surfaces->materials[soup->materials[t]].mtl;
+    const bool is_glass = soup->material_names[soup->materials[t]] == "glass";
+    EXPECT_EQ(std::ranges::any_of(lines, [](const MtlLine& line) { return line.text == "d 0.4"; }), is_glass);
+  }
+}
+
 TEST(ThreeMf, colours_are_read_back_as_written) {
   const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}};

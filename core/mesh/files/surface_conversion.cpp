@@ -270,7 +270,7 @@ class GltfCollection {
 };
 
 // Returns a number of a texture of glTF, or of its transform; 0 if there is none.
-double texture_number(const nlohmann::json& texture, const char* key) {
+double texture_number(const SurfaceJson& texture, const char* key) {
   if (!texture.is_object() || !texture.contains(key) || !texture[key].is_number()) return 0;
   return texture[key].get<double>();
 }
@@ -278,47 +278,47 @@ double texture_number(const nlohmann::json& texture, const char* key) {
 // Reads members of a material in glTF.
 class GltfMembers {
  public:
-  GltfMembers(const SurfaceLibrary& library, const nlohmann::json& json) : library_(library), json_(json) {}
+  GltfMembers(const SurfaceLibrary& library, const SurfaceJson& json) : library_(library), json_(json) {}
 
-  std::vector<double> numbers(const nlohmann::json& of, const char* key) const {
+  std::vector<double> numbers(const SurfaceJson& of, const char* key) const {
     std::vector<double> found;
     if (!of.is_object() || !of.contains(key)) return found;
-    const nlohmann::json& value = of[key];
+    const SurfaceJson& value = of[key];
     if (value.is_number()) return {value.get<double>()};
-    for (const nlohmann::json& item : value) {
+    for (const SurfaceJson& item : value) {
       if (item.is_number()) found.push_back(item.get<double>());
     }
     return found;
   }
   // Returns the image of a texture that uses the first UVs.
-  std::optional<uint32_t> image(const nlohmann::json& of, const char* key) const {
+  std::optional<uint32_t> image(const SurfaceJson& of, const char* key) const {
     if (!of.is_object() || !of.contains(key) || !of[key].is_object()) return std::nullopt;
     if (texture_number(of[key], "texCoord") != 0) return std::nullopt;
     const auto index = whole(of[key], "index");
     if (!index || *index >= library_.textures.size()) return std::nullopt;
-    const auto texture = nlohmann::json::parse(library_.textures[*index], nullptr, false);
+    const auto texture = SurfaceJson::parse(library_.textures[*index], nullptr, false);
     auto source = whole(texture, "source");
     if (!source && texture.is_object() && texture.contains("extensions")) {
-      for (const nlohmann::json& extension : texture["extensions"]) {
+      for (const SurfaceJson& extension : texture["extensions"]) {
         if (!source) source = whole(extension, "source");
       }
     }
     if (!source || *source >= library_.images.size()) return std::nullopt;
     return static_cast<uint32_t>(*source);
   }
-  const nlohmann::json& object(const char* key) const {
-    static const nlohmann::json kNothing = nlohmann::json::object();
+  const SurfaceJson& object(const char* key) const {
+    static const SurfaceJson kNothing = SurfaceJson::object();
     return json_.contains(key) ? json_[key] : kNothing;
   }
 
  private:
-  static std::optional<uint64_t> whole(const nlohmann::json& of, const char* key) {
+  static std::optional<uint64_t> whole(const SurfaceJson& of, const char* key) {
     if (!of.is_object() || !of.contains(key) || !of[key].is_number_unsigned()) return std::nullopt;
     return of[key].get<uint64_t>();
   }
 
   const SurfaceLibrary& library_;
-  const nlohmann::json& json_;
+  const SurfaceJson& json_;
 };
 
 std::string colour_line(const char* keyword, const std::vector<double>& linear) {
@@ -339,17 +339,33 @@ std::string map_options(const glm::mat3x2& uv) {
 
 }  // namespace
 
+nlohmann::ordered_json metallic_roughness(const nlohmann::ordered_json& material) {
+  SurfaceJson pbr = SurfaceJson::object();
+  if (!material.is_object()) return pbr;
+  if (material.contains("pbrMetallicRoughness")) return material["pbrMetallicRoughness"];
+  const auto extensions = material.find("extensions");
+  if (extensions == material.end() || !extensions->is_object()) return pbr;
+  const auto from = extensions->find("KHR_materials_pbrSpecularGlossiness");
+  if (from == extensions->end() || !from->is_object()) return pbr;
+  if (from->contains("diffuseFactor")) pbr["baseColorFactor"] = (*from)["diffuseFactor"];
+  if (from->contains("diffuseTexture")) pbr["baseColorTexture"] = (*from)["diffuseTexture"];
+  const auto gloss = from->find("glossinessFactor");
+  pbr["metallicFactor"] = 0;
+  pbr["roughnessFactor"] = gloss != from->end() && gloss->is_number() ? 1 - gloss->get<double>() : 0.0;
+  return pbr;
+}
+
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material) {
   if (material.gltf.empty()) return material.mtl;
   std::vector<MtlLine> lines;
-  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
+  const auto json = SurfaceJson::parse(material.gltf, nullptr, false);
   if (!json.is_object()) return lines;
   const GltfMembers members(library, json);
-  const nlohmann::json& pbr = members.object("pbrMetallicRoughness");
+  const SurfaceJson pbr = metallic_roughness(json);
   const auto base = members.numbers(pbr, "baseColorFactor");
   const auto metallic = members.numbers(pbr, "metallicFactor"),
              rough = members.numbers(pbr, "roughnessFactor");
-  const nlohmann::json& alpha = members.object("alphaMode");
+  const SurfaceJson& alpha = members.object("alphaMode");
   const bool translucent = alpha == "MASK" || alpha == "BLEND";
   const double roughness = rough.empty() ? 1 : std::clamp(rough[0], 0.0, 1.0);
   lines.push_back({colour_line("Kd", base)});
@@ -390,7 +406,7 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials, MissingImage
 namespace {
 
 // Adds the members of a texture in glTF that MTL cannot express.
-void add_lost_of_texture(const std::string& key, const nlohmann::json& texture, std::set<std::string>& lost) {
+void add_lost_of_texture(const std::string& key, const SurfaceJson& texture, std::set<std::string>& lost) {
   const char* const kTransform = "KHR_texture_transform";
   if (!texture.is_object()) return;
   if (texture_number(texture, "texCoord") != 0) {
@@ -406,9 +422,9 @@ void add_lost_of_texture(const std::string& key, const nlohmann::json& texture, 
 
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
   std::set<std::string> lost;
-  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
+  const auto json = SurfaceJson::parse(material.gltf, nullptr, false);
   if (!json.is_object()) return {};
-  const auto add = [&](const nlohmann::json& of, const std::set<std::string>& kept) {
+  const auto add = [&](const SurfaceJson& of, const std::set<std::string>& kept) {
     for (const auto& [key, value] : of.items()) {
       if (key == "extensions" && value.is_object()) {
         for (const auto& extension : value.items()) lost.insert(extension.key());
@@ -447,8 +463,8 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
     if (!line.image && std::find(kKept.begin(), kKept.end(), lower_case(keyword)) == kKept.end())
       lost.insert(keyword);
   }
-  const auto json = nlohmann::json::parse(material.gltf, nullptr, false);
-  const auto add = [&](const nlohmann::json& of, const std::set<std::string>& kept) {
+  const auto json = SurfaceJson::parse(material.gltf, nullptr, false);
+  const auto add = [&](const SurfaceJson& of, const std::set<std::string>& kept) {
     if (!of.is_object()) return;
     for (const auto& [key, value] : of.items()) {
       if (!key.ends_with("Texture") && !kept.contains(key)) lost.insert(key);

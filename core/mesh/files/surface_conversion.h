@@ -11,6 +11,10 @@
 
 namespace kerf {
 
+// Returns pbrMetallicRoughness of a material in glTF. Without it, diffuse colour, diffuse texture and
+// glossiness of KHR_materials_pbrSpecularGlossiness are converted to it; otherwise it is empty.
+nlohmann::ordered_json metallic_roughness(const nlohmann::ordered_json& material);
+
 // Returns the lines of a material in MTL: as in the file, or converted from glTF: Kd, Ke, d, Pr, Pm, Ns and
 // the maps of the base colour, the opacity, the emission and the normals that use the first UVs. Colours are
 // converted from linear light to sRGB. A material whose alphaMode is OPAQUE has the opacity 1 and no map of

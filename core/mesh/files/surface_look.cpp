@@ -76,7 +76,7 @@ class LookReader {
 
   SurfaceLook read(const Json& material) const {
     SurfaceLook look;
-    const Json& pbr = member(material, "pbrMetallicRoughness");
+    const Json pbr = metallic_roughness(material);
     read_vector(pbr, "baseColorFactor", look.base);
     read_vector(material, "emissiveFactor", look.emission);
     look.metallic = std::clamp(number(pbr, "metallicFactor", 1), 0.0, 1.0);
@@ -123,8 +123,8 @@ glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
   glm::dvec2 scale(1), offset(0);
   double rotation = 0;
   if (!material.gltf.empty()) {
-    const Json json = Json::parse(material.gltf, nullptr, false);
-    const Json& map = member(member(json, "pbrMetallicRoughness"), "baseColorTexture");
+    const Json pbr = metallic_roughness(Json::parse(material.gltf, nullptr, false));
+    const Json& map = member(pbr, "baseColorTexture");
     const Json& transform = member(member(map, "extensions"), "KHR_texture_transform");
     read_pair(transform, "scale", scale);
     read_pair(transform, "offset", offset);

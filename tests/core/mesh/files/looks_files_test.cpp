@@ -377,6 +377,30 @@ TEST(MtlLines, have_the_opacity_of_the_alpha_mode) {
   }
 }
 
+TEST(SurfaceLooks, convert_specular_glossiness_to_metallic_roughness) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  library.textures = {R"({"source":0})"};
+  const std::string old = R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"glossinessFactor":0.25,)"
+                          R"("diffuseFactor":[1,0,0,1],"diffuseTexture":{"index":0,"extensions":)"
+                          R"({"KHR_texture_transform":{"scale":[2,3]}}}}})";
+  library.materials = {{{}, "{" + old + "}"}, {{}, R"({"pbrMetallicRoughness":{},)" + old + "}"}};
+  const auto looks = surface_looks(library);
+  ASSERT_TRUE(looks.size() == 2 && looks[0] && looks[1]);
+  EXPECT_EQ(looks[0]->base, glm::dvec4(1, 0, 0, 1));
+  EXPECT_EQ(looks[0]->metallic, 0);
+  EXPECT_EQ(looks[0]->roughness, 0.75);
+  EXPECT_EQ(looks[0]->maps[static_cast<size_t>(SurfaceMap::kBase)], 0u);
+  EXPECT_EQ(read_uv_transform(library.materials[0])[1].y, 3);
+  EXPECT_EQ(looks[1]->base, glm::dvec4(1));
+  EXPECT_EQ(looks[1]->metallic, 1);
+  const auto lines = mtl_lines(library, library.materials[0]);
+  EXPECT_EQ(text_with("Kd", lines), "Kd 1 0 0");
+  EXPECT_EQ(text_with("Pm", lines), "Pm 0");
+  EXPECT_EQ(text_with("Pr", lines), "Pr 0.75");
+  EXPECT_EQ(text_with("map_Kd", lines), "map_Kd ");
+}
+
 TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {
   const Soup plain = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
   const MeshView view{plain.positions, plain.triangles, {}, {}};

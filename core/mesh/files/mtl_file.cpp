@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/mesh/files/scanner.h"
@@ -120,19 +121,31 @@ std::string image_mime_type(std::string_view bytes, std::string_view name) {
   return "";
 }
 
+std::filesystem::path image_folder(const std::filesystem::path& folder, const std::filesystem::path& mtl,
+                                   std::string_view reference) {
+  const auto has_image = [&](const std::filesystem::path& in) {
+    std::error_code fault;
+    const auto image = side_file(in, reference);
+    return image && std::filesystem::is_regular_file(*image, fault);
+  };
+  const std::filesystem::path of_library = mtl.parent_path();
+  return !has_image(folder) && has_image(of_library) ? of_library : folder;
+}
+
 namespace {
 
-// Reads the images of one library, each once.
+// Reads the images of the libraries of an OBJ file, each once.
 class MtlImages {
  public:
   MtlImages(const std::filesystem::path& folder, SurfaceLibrary& library, std::vector<std::string>& warnings)
       : folder_(folder), library_(library), warnings_(warnings) {}
 
-  uint32_t number(const std::string& reference) {
+  uint32_t number(const std::filesystem::path& mtl, const std::string& reference) {
+    const std::filesystem::path folder = image_folder(folder_, mtl, reference);
     const auto [known, added] =
-        numbers_.try_emplace(reference, static_cast<uint32_t>(library_.images.size()));
+        numbers_.try_emplace({folder, reference}, static_cast<uint32_t>(library_.images.size()));
     if (!added) return known->second;
-    library_.images.push_back(read_image(folder_, reference, warnings_));
+    library_.images.push_back(read_image(folder, reference, warnings_));
     return known->second;
   }
 
@@ -140,19 +153,19 @@ class MtlImages {
   const std::filesystem::path& folder_;
   SurfaceLibrary& library_;
   std::vector<std::string>& warnings_;
-  std::map<std::string, uint32_t> numbers_;
+  std::map<std::pair<std::filesystem::path, std::string>, uint32_t> numbers_;  // by folder and reference
 };
 
-// A library, its file, and the folder to which its references are relative.
+// The content of a library, and its file.
 struct OpenLibrary {
   MtlFile file;
-  std::filesystem::path path, folder;
+  std::filesystem::path path;
 };
 
 std::optional<OpenLibrary> open_library(const std::filesystem::path& folder, const std::string& reference) {
   const auto text = read_side_file(folder, reference, kMaxLibraryBytes);
   if (!text) return std::nullopt;
-  return OpenLibrary{parse_mtl(*text), *side_file(folder, reference), folder};
+  return OpenLibrary{parse_mtl(*text), *side_file(folder, reference)};
 }
 
 // The statement mtllib lists names separated by blanks, but most writers write one name, which may have some.
@@ -206,7 +219,8 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
     if (found == places.end()) continue;
     for (const MtlLine& line : found->second.entry->lines) {
       MtlLine& own = material.mtl.emplace_back(line);
-      if (line.image) own.image = images.number(found->second.source->file.references[*line.image]);
+      const OpenLibrary& library = *found->second.source;
+      if (line.image) own.image = images.number(library.path, library.file.references[*line.image]);
     }
     material.uv_transform = read_uv_transform(material);
   }
@@ -233,7 +247,8 @@ std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& fil
   for (const OpenLibrary& library : open_libraries(folder, statements, warnings)) {
     files.push_back(library.path);
     for (const std::string& reference : library.file.references) {
-      if (auto image = side_file(folder, reference)) files.push_back(std::move(*image));
+      const std::filesystem::path of_image = image_folder(folder, library.path, reference);
+      if (auto image = side_file(of_image, reference)) files.push_back(std::move(*image));
     }
   }
   return files;

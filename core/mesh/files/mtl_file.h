@@ -25,8 +25,13 @@ struct MtlFile {
 // reference to an image is the rest of a line after the keyword and its options. Accepts any bytes. Linear.
 MtlFile parse_mtl(std::string_view text);
 
+// Returns the folder to which a reference in a library of an OBJ file is relative (see side_file): that of
+// the OBJ file, or that of the library if only the latter has the image.
+std::filesystem::path image_folder(const std::filesystem::path& folder, const std::filesystem::path& mtl,
+                                   std::string_view reference);
+
 // Reads the libraries of an OBJ file from its folder (see read_side_file), and the images of the materials of
-// these names. Appends warnings about missing files. Returns null if no library is found.
+// these names (see image_folder). Appends warnings about missing files. Returns null if no library is found.
 std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::path& folder,
                                                         std::span<const std::string> libraries,
                                                         std::span<const std::string> material_names,
@@ -35,8 +40,8 @@ std::shared_ptr<const SurfaceLibrary> read_mtl_surfaces(const std::filesystem::p
 // Different statements mtllib of a file that are read; the reader ignores others.
 inline constexpr size_t kMaxLibraries = 64;
 
-// Returns the libraries of an OBJ file and the images that they name, those that exist in its folder. Reads
-// the lines of the file up to its last library that the reader does not ignore.
+// Returns the libraries of an OBJ file and the images that they name, as far as they exist. Reads the lines
+// of the file up to its last library that the reader does not ignore.
 std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& file);
 
 // Reads an image that a file in this folder refers to (see read_side_file). If it cannot be read, its bytes

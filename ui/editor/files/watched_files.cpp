@@ -64,7 +64,7 @@ void add_files_of_obj(std::vector<fs::path>& files, const fs::path& mesh) {
   const std::vector<fs::path> libraries = files;
   for (const fs::path& library : libraries) {
     for (const std::string& image : parse_mtl(beginning_of(library)).references)
-      add_file(files, side_file(folder, image));
+      add_file(files, side_file(image_folder(folder, library, image), image));
   }
 }
 

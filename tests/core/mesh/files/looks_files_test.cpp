@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -121,6 +122,30 @@ TEST(LooksOfObj, include_only_images_in_the_folder) {
   EXPECT_EQ(soup.warnings,
             (std::vector<std::string>{"The image '../secret.png' is not in the folder of this file.",
                                       "1 material is not in a material library."}));
+}
+
+TEST(LooksOfObj, include_images_in_the_folder_of_the_library) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "mesh/materials");
+  write_text(folder / "mesh/car.obj",
+             "mtllib materials/car.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl paint\nf 1 2 3\n");
+  write_text(folder / "mesh/materials/car.mtl",
+             "newmtl paint\nmap_Kd paint.png\nmap_Ke glow.png\nmap_Ks ../../secret.png\n");
+  write_text(folder / "mesh/materials/paint.png", kPng);
+  write_text(folder / "mesh/materials/glow.png", "of the library");
+  write_text(folder / "mesh/glow.png", "of the mesh");
+  write_text(folder / "secret.png", "secret");
+  const auto soup = read_mesh(folder / "mesh/car.obj");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  ASSERT_EQ(soup->surfaces->images.size(), 3u);
+  EXPECT_EQ(soup->surfaces->images[0].bytes, kPng);
+  EXPECT_EQ(soup->surfaces->images[1].bytes, "of the mesh");
+  EXPECT_EQ(soup->surfaces->images[2].bytes, "");
+  EXPECT_EQ(soup->warnings,
+            std::vector<std::string>{"The image '../../secret.png' is not in the folder of this file."});
+  const auto files = files_of_obj(folder / "mesh/car.obj");
+  EXPECT_NE(std::ranges::find(files, folder / "mesh/materials/paint.png"), files.end());
+  EXPECT_EQ(std::ranges::find(files, folder / "secret.png"), files.end());
 }
 
 TEST(LooksOfGltf, round_trip_from_obj) {

@@ -97,6 +97,16 @@ TEST(SideFiles, of_obj_are_its_libraries_and_their_images) {
                                         folder / "paint.png", folder / "gloss.png"}));
 }
 
+TEST(SideFiles, of_obj_include_images_in_the_folder_of_a_library) {
+  test::TemporaryFolder folder;
+  const fs::path mesh = folder / "car.obj";
+  fs::create_directories(folder / "materials");
+  write_text(mesh, "mtllib materials/car.mtl\nv 0 0 0\n");
+  write_text(folder / "materials/car.mtl", "newmtl paint\nmap_Kd paint.png\n");
+  write_text(folder / "materials/paint.png", "");
+  EXPECT_EQ(side_files_of(mesh), (Paths{folder / "materials/car.mtl", folder / "materials/paint.png"}));
+}
+
 TEST(SideFiles, of_gltf_are_its_buffers_and_images) {
   test::TemporaryFolder folder;
   const fs::path mesh = folder / "car.gltf";

@@ -169,16 +169,19 @@ bool is_one_line(const std::string& text) { return text.find_first_of("\r\n") ==
 template <typename T>
 bool fits(const LookChannel<T>& channel, size_t triangles) {
   const auto known = [&](uint32_t v) { return v < channel.values.size() || v == LookChannel<T>::kNone; };
-  return (channel.corners.empty() || channel.corners.size() == triangles) &&
+  return channel.corners.size() == triangles &&
          std::ranges::all_of(channel.corners, [&](const auto& c) { return std::ranges::all_of(c, known); });
 }
 
 bool fits(const CornerLooks& looks, size_t triangles) {
+  const auto is_empty_or_fits = [&](const auto& channel) {
+    return !channel.any() || fits(channel, triangles);
+  };
   const auto fits_set = [&](const auto& set) { return fits(set, triangles); };
   const auto fits_attribute = [&](const LookAttribute& a) {
     return is_one_line(a.name) && a.parts >= 1 && a.parts <= 4 && fits(a.channel, triangles);
   };
-  return fits(looks.normals, triangles) && fits(looks.tangents, triangles) &&
+  return is_empty_or_fits(looks.normals) && is_empty_or_fits(looks.tangents) &&
          looks.attributes.size() <= kMaxLookAttributes && std::ranges::all_of(looks.uv_sets, fits_set) &&
          std::ranges::all_of(looks.attributes, fits_attribute);
 }
@@ -206,7 +209,7 @@ bool is_sound(const SurfaceLibrary& library) {
 }
 
 bool is_sound(const Soup& soup) {
-  const size_t triangles = soup.triangles.size(), names = std::max<size_t>(soup.material_names.size(), 1);
+  const size_t triangles = soup.triangles.size(), names = soup.material_names.size();
   const auto is_triangle = [&](const Soup::Triangle& t) {
     return std::max({t[0], t[1], t[2]}) < soup.positions.size();
   };

@@ -108,6 +108,26 @@ TEST(SoupFile, damaged_bytes_fail_in_one_line_or_are_sound) {
   }
 }
 
+TEST(SoupFile, needs_values_for_every_triangle) {
+  const auto is_read = [](const Soup& soup) { return read_soup(encode_soup(soup), "a.kmesh").ok(); };
+  Soup soup = full_soup();
+  soup.looks.normals = {};
+  soup.looks.tangents = {};
+  soup.materials.clear();
+  EXPECT_TRUE(is_read(soup));
+  soup.looks.uv_sets[0].corners.clear();
+  EXPECT_FALSE(is_read(soup));
+  soup = full_soup();
+  soup.looks.attributes[0].channel.corners.clear();
+  EXPECT_FALSE(is_read(soup));
+  soup = full_soup();
+  soup.looks.normals.corners.pop_back();
+  EXPECT_FALSE(is_read(soup));
+  soup = grid(2, 1);
+  soup.materials.assign(soup.triangles.size(), 0);
+  EXPECT_FALSE(is_read(soup)) << "without names of materials";
+}
+
 TEST(SoupFile, of_a_later_format_is_refused) {
   std::string bytes = encode_soup(full_soup());
   bytes[8] = 9;

@@ -119,8 +119,8 @@ class EditedText {
   std::optional<std::string> draw(const char* id, const std::string& shown, const std::string& fitted);
   // Begins the edit of the field with this ID of ImGui, which was activated elsewhere and has this text.
   void begin(uint32_t id, std::string shown);
-  // Returns true if this field was edited in the last frame. If another item has become active since, draw()
-  // still has to be called once, to report the entry.
+  // Returns true if this field was edited in the last frame. If another item has become active since, call
+  // draw() once more, which reports the entry.
   bool was_active(uint32_t id) const;
 
  private:

@@ -288,12 +288,13 @@ class CutRun {
       const Progress stepping = share_of(&progress, done(i), done(i + 1));
       if (!stepping.report(0)) return cancelled();
       if (const auto s = step(moves * (i + 1) / steps - moves * i / steps, stepping); !s) return s;
+      const StepStatistics begun = before;  // of all segments that end in this step
       while (segment < segment_ends.size() && moves * (i + 1) / steps >= segment_ends[segment]) {
         ++segment;
         const bool is_same_line =
             segment < segment_ends.size() && line(segment) && line(segment) == job_.segment.line;
         if (is_same_line) continue;
-        if (job_.thermal && job_.record_segment(before))
+        if (job_.thermal && job_.record_segment(begun))
           uncut_keys.emplace_back(job_.segment.segment, segment);
         before = job_.statistics;
         job_.segment = {job_.strokes, segment, line(segment)};

@@ -168,7 +168,7 @@ class ReplayRun {
     lasting_ = lasting_commands(work_.journal.commands);
     size_t strokes = 0;
     for (size_t i = 0; i < lasting_.size(); ++i) {
-      strokes += lasting_[i] && std::holds_alternative<BeginStroke>(work_.journal.commands[i]);
+      strokes += lasting_[i] && cut_settings(work_.journal.commands[i]) != nullptr;
       strokes_.push_back(strokes);
       if (!lasting_[i]) continue;
       if (const CutSettings* settings = cut_settings(work_.journal.commands[i])) {
@@ -214,7 +214,10 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      if (lasting_[replay.applied() - 1]) {
+      // A redo may execute a stroke that was not executed before it was undone.
+      const Command& command = work_.journal.commands[replay.applied() - 1];
+      const bool is_run_by_redo = std::holds_alternative<Redo>(command) && step->last.has_value();
+      if (lasting_[replay.applied() - 1] || is_run_by_redo) {
         job_.strokes = stroke > 0 ? stroke - 1 : 0;
         job_.record_step(*step, document.world(),
                          std::chrono::duration<double>(Clock::now() - step_began_).count());

@@ -54,8 +54,8 @@ void add_info(py::module_& m) {
       .def_property_readonly("is_asleep", flag(&kerf_body_info::is_asleep),
                              "At rest until something touches it.")
       .def("__repr__", [](const BodyInfo& info) {
-        return "<kerf.BodyInfo \"" + info.name + "\" of " + std::to_string(info.values.face_count) +
-               " faces>";
+        return text("<kerf.BodyInfo \"" + info.name + "\" of " + std::to_string(info.values.face_count) +
+                    " faces>");
       });
 }
 
@@ -281,7 +281,9 @@ void add_time(WorldClass& world) {
           "Simulates rigid bodies and cooling in ticks of 1/120 s; pieces that were cut off become "
           "bodies.\n\n"
           "seconds: 0 to 3600.\n\n"
-          "Raises ValueError for another number, and Busy. Ctrl-C ends it; the time that has passed remains.")
+          "Raises ValueError for another number, and Busy, also during the simulation. Ctrl-C ends it. In "
+          "both "
+          "cases the time that has passed remains.")
       .def(
           "undo", [](World& in) { return unlocked([&] { return in.undo(); }); },
           "Undoes the last step of the history: a stroke, an added body, an edit, or the simulation since "

@@ -275,8 +275,8 @@ void add_mesh(py::module_& m) {
           [](const py::tuple& state) { return kerf::Mesh::from_bytes(state[0].cast<std::string>()); }))
       .def("__repr__", [](const kerf::Mesh& mesh) {
         const std::string name = mesh.name();
-        return "<kerf.Mesh " + (name.empty() ? "" : "\"" + name + "\" ") + "of " +
-               std::to_string(mesh.faces().size() / 3) + " faces>";
+        return text("<kerf.Mesh " + (name.empty() ? "" : "\"" + name + "\" ") + "of " +
+                    std::to_string(mesh.faces().size() / 3) + " faces>");
       });
   m.def(
       "read",

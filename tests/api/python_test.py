@@ -287,9 +287,13 @@ class Module(unittest.TestCase):
             mesh = kerf.read(file)
             self.assertEqual([name for name, _, _ in mesh.parts], ['T\ufffdr'])
             self.assertEqual(list(mesh.material_names), ['M\ufffdtal'])
+            self.assertIn('faces', repr(mesh))
+            bad = os.fsencode(folder) + b'/\xfc.xyz'
+            with open(bad, 'wb') as junk:
+                junk.write(b'junk')
             with self.assertRaises((ValueError, kerf.Error)) as raised:
-                kerf.read(os.fsencode(folder) + b'/\xfc.xyz')
-            self.assertNotIsInstance(raised.exception, UnicodeError)
+                kerf.read(bad)
+            self.assertNotIsInstance(raised.exception, (UnicodeError, FileNotFoundError))
 
     def test_a_long_simulation_equals_its_parts(self):
         other = kerf.World()

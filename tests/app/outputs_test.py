@@ -192,14 +192,18 @@ class Outputs(unittest.TestCase):
     def test_the_report_of_a_replay_counts_what_lasts(self):
         for model in ([], ["--model", "thermal", "--thickness", "0.001"]):
             self.cut("plate.obj", "--path", "once.json", "--journal", "once.kerf", "--out", "once", *model)
-            lines = [line for line in self.read("once.kerf").decode().splitlines() if '"hash"' not in line[:8]]
-            self.write("undone.kerf", "\n".join([lines[0], *lines[1:], '{"do": "undo"}', *lines[1:]]) + "\n")
-            done = self.kerf("replay", "undone.kerf", "--out", "again")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            once, again = (json.loads(self.read(folder + "/report.json")) for folder in ("once", "again"))
-            self.assertEqual(again["removed"], once["removed"])
-            for key in ("energy_j", "depth_fraction"):
-                self.assertEqual(key in again, key in once, key)
+            head, *rest = self.read("once.kerf").decode().splitlines()
+            commands = [line for line in rest if '"hash"' not in line[:8]]
+            undo, redo = '{"do": "undo"}', '{"do": "redo"}'
+            # A mark makes the replay execute a stroke that is undone next.
+            for name, lines in (("undone", [*rest, undo, *commands]), ("redone", [*commands, undo, redo])):
+                self.write(name + ".kerf", "\n".join([head, *lines]) + "\n")
+                done = self.kerf("replay", name + ".kerf", "--out", "again")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                once, again = (json.loads(self.read(folder + "/report.json")) for folder in ("once", "again"))
+                self.assertEqual(again["removed"], once["removed"], name)
+                for key in ("energy_j", "depth_fraction"):
+                    self.assertEqual(key in again, key in once, key)
 
     def test_a_thermal_stroke_without_a_duration_is_reported(self):
         still = stroke(0)

@@ -127,7 +127,7 @@ class KnifeCut {
 
   // Determines the sides of all vertices, and the faces that the plane crosses.
   void sort_vertices() {
-    const double on = distance_on(plane_, step_.body().bounds());
+    const double on = distance_on(plane_, step_.body());
     const Positions positions = mesh().positions();
     side_.resize(mesh().vertex_slots());
     for (uint32_t v = 0; v < side_.size(); ++v) {
@@ -210,9 +210,13 @@ class KnifeCut {
 
 }  // namespace
 
-double distance_on(const WallPlane& plane, const Bounds& bounds) {
+// To bring a plane into the frame of a moved body cancels numbers of the size of its position.
+double distance_on(const WallPlane& plane, const Body& body) {
+  const Bounds bounds = body.bounds();
   const Vec3 largest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
-  return kOnKnife * (glm::dot(glm::abs(plane.normal), largest) + std::abs(plane.distance));
+  const Vec3 in_world = body.placement.orientation * plane.normal;
+  const double moved = 2 * glm::dot(glm::abs(in_world), glm::abs(body.placement.position));
+  return kOnKnife * (glm::dot(glm::abs(plane.normal), largest) + std::abs(plane.distance) + moved);
 }
 
 Vec3 plane_crossing(const Mesh& mesh, const WallPlane& plane, const Mesh::Side& edge) {

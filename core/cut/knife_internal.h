@@ -17,7 +17,7 @@ inline double distance_from(const WallPlane& plane, const Vec3& p) {
 }
 
 // Returns the distance from a plane below which a point of the body counts as lying on it (see kOnKnife).
-double distance_on(const WallPlane& plane, const Bounds& bounds);
+double distance_on(const WallPlane& plane, const Body& body);
 
 // Returns the point where a plane crosses an edge of a face, equal for all faces of the edge and different
 // from their opposite corners. Precondition: the ends lie on different sides, further away than

@@ -76,12 +76,15 @@ Result<std::optional<KnifeStrip>> strip_between(const Pose& from, const Pose& to
   return std::optional(strip);
 }
 
+// Returns true if two strips that share a pose lie in one plane, also if the path returns in it.
+bool are_coplanar(const KnifeStrip& a, const KnifeStrip& b) {
+  constexpr double kRounding = 0x1p-46;  // of unit normals
+  return glm::length(glm::cross(a.plane.normal, b.plane.normal)) <= kRounding;
+}
+
 // Returns true if a strip continues the one before in its plane.
 bool continues(const KnifeStrip& before, const KnifeStrip& strip) {
-  const auto lies_on = [&](const Vec3& p) { return std::abs(distance_from(before.plane, p)) <= before.on; };
-  const Pose& end = strip.to;
-  return glm::dot(before.plane.normal, strip.plane.normal) > 0 && lies_on(end.origin) &&
-         lies_on(end.origin + before.range.high * end.direction);
+  return glm::dot(before.plane.normal, strip.plane.normal) > 0 && are_coplanar(before, strip);
 }
 
 Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& body) {
@@ -92,7 +95,7 @@ Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& bod
         strip_between(placement.to_body(path.poses[i - 1]), placement.to_body(path.poses[i]), path.range, i);
     if (!strip) return strip.error();
     if (!*strip) continue;
-    (*strip)->on = distance_on((*strip)->plane, body.bounds());
+    (*strip)->on = distance_on((*strip)->plane, body);
     if (!strips.empty() && continues(strips.back(), **strip)) {
       strips.back().to = (*strip)->to;
       strips.back().before_to = (*strip)->before_to;
@@ -103,9 +106,16 @@ Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& bod
   const auto same = [](const Pose& a, const Pose& b) {
     return a.origin == b.origin && a.direction == b.direction;
   };
+  const bool is_closed = strips.size() > 1 && same(strips.back().to, strips.front().from);
+  if (is_closed && continues(strips.back(), strips.front())) {
+    strips.front().from = strips.back().from;
+    strips.front().after_from = strips.back().after_from;
+    strips.pop_back();
+  }
   for (uint32_t i = 0; i < strips.size(); ++i) {
     const uint32_t next = i + 1 < strips.size() ? i + 1 : 0;
-    if (next == i || !same(strips[i].to, strips[next].from)) continue;
+    if (next == i || !same(strips[i].to, strips[next].from) || are_coplanar(strips[i], strips[next]))
+      continue;
     strips[i].next = next;
     strips[next].previous = i;
   }
@@ -161,19 +171,9 @@ class PathCut {
     if (const std::optional<Vec3> place = find_separated())
       note(left_open, "the part stays connected, because the knife does not pass right through it", *place);
     if (separated_.empty()) return;
-    std::array<SurfaceWalls, 2> walls;
-    if (step_.body().solid) {
-      for (const bool left : {false, true}) {
-        std::optional<SurfaceWalls> made = make_walls(left);
-        if (!made) {
-          note(left_open, "the part stays connected, because the knife ends inside the solid",
-               mesh().position(separated_.begin()->second.front().from));
-          return;
-        }
-        walls[left] = std::move(*made);
-      }
-    }
-    separate_parts(walls);
+    std::vector<SurfaceWalls> walls;
+    if (step_.body().solid) walls = make_walls(left_open);
+    if (!separated_.empty()) separate_parts(walls);
   }
 
  private:
@@ -353,13 +353,55 @@ class PathCut {
 
   // Walls.
 
+  // Makes the walls of each piece by itself, because pieces that an earlier cut separated touch each other.
+  // Keeps the parts of a piece connected for which there are none.
+  std::vector<SurfaceWalls> make_walls(std::vector<LeftOpen>& left_open) {
+    std::map<uint32_t, std::vector<SurfaceSide>> of_piece;
+    for (const SurfaceSide& s : sides_) of_piece[mesh().data(s.side.face).piece].push_back(s);
+    std::vector<SurfaceWalls> all;
+    for (const auto& [piece, sides] : of_piece) {
+      const std::optional<Vec3> crossing = find_crossing(sides);
+      std::optional<SurfaceWalls> right, left;
+      if (!crossing) right = make_walls(sides, false);
+      if (right) left = make_walls(sides, true);
+      if (left) {
+        all.push_back(std::move(*right));
+        all.push_back(std::move(*left));
+        continue;
+      }
+      const Vec3 place = crossing.value_or(mesh().position(sides.front().side.from));
+      note(left_open,
+           crossing ? "the part stays connected, because the knife crosses its own cut in the solid"
+                    : "the part stays connected, because the knife ends inside the solid",
+           place);
+      for (const SurfaceSide& s : sides) separated_.erase(s.part);
+    }
+    return all;
+  }
+  // Returns a place where strips meet that do not follow each other, if there is one.
+  std::optional<Vec3> find_crossing(const std::vector<SurfaceSide>& sides) const {
+    std::map<uint32_t, std::vector<uint32_t>> strips_at;  // by vertex
+    for (const SurfaceSide& s : sides) {
+      if (!s.left) continue;
+      for (const VertexId v : {s.side.from, s.side.to}) strips_at[v.index].push_back(s.strip);
+    }
+    for (const auto& [vertex, strips] : strips_at) {
+      for (const uint32_t a : strips) {
+        const auto follows = [&](uint32_t b) {
+          return b == a || strips_[a].next == b || strips_[b].next == a;
+        };
+        if (!std::ranges::all_of(strips, follows)) return mesh().position(VertexId(vertex));
+      }
+    }
+    return std::nullopt;
+  }
   // Triangulates the surface between the sides to the left or right of the path, strip by strip. Returns
   // nullopt if they do not bound a part of the surface.
-  std::optional<SurfaceWalls> make_walls(bool left) {
+  std::optional<SurfaceWalls> make_walls(const std::vector<SurfaceSide>& of_one, bool left) const {
     SurfaceWalls walls;
     std::vector<Vec3> ends;
     std::vector<uint32_t> strip_of;
-    for (const SurfaceSide& s : sides_) {
+    for (const SurfaceSide& s : of_one) {
       if (s.left != left) continue;
       walls.sides.push_back(s.side);
       strip_of.push_back(s.strip);
@@ -445,7 +487,7 @@ class PathCut {
 
   // Separation.
 
-  void separate_parts(const std::array<SurfaceWalls, 2>& walls) {
+  void separate_parts(const std::vector<SurfaceWalls>& walls) {
     std::vector<FaceId> seeds;
     for (const auto& [part, sides] : separated_) {
       step_.edit.open_edges(present(sides));

@@ -81,8 +81,8 @@ uint32_t label_around(const Body& body, const std::vector<Enclosed>& components,
   const Triangle t = body.mesh.triangle(f);
   const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double length = glm::length(normal);
-  if (!(length > 0)) return own;
-  const Vec3 direction = -normal / length;
+  // Any direction serves, because faces of cavities do not count.
+  const Vec3 direction = length > 0 ? -normal / length : Vec3(0, 0, 1);
   std::vector<RayHit> hits;
   body.tree.crossings(body.mesh, {(t[0] + t[1] + t[2]) / 3.0, direction},
                       {0, std::numeric_limits<double>::max()}, hits);

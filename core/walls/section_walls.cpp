@@ -22,6 +22,8 @@ namespace {
 
 constexpr uint32_t kNoSuccessor = 0xffffffffu;
 
+using Faces = std::vector<std::array<uint32_t, 3>>;
+
 // A closed chain of sides, in the direction of the walls, i.e. opposite to the sides.
 struct SectionLoop {
   std::vector<uint32_t> sides;
@@ -270,15 +272,43 @@ class SectionMaker {
   Section section_;
 };
 
-}  // namespace
+// Replaces sides that are shorter than the grid of triangulate_cap() resolves, each with the side after it,
+// by the third side of a face, which is appended to `faces`. Returns false if a side has no single side after
+// it, or if none is so short.
+bool cut_off_short_sides(std::span<const Vec2> places, std::vector<PatchSide>& sides, Faces& faces) {
+  constexpr double kCells = 4, kGrid = 0x1p30;
+  Vec2 low = places[0], high = places[0];
+  for (const Vec2 p : places) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double least = kCells * std::max(high.x - low.x, high.y - low.y) / kGrid;
+  std::map<uint32_t, std::vector<size_t>> from;
+  for (size_t i = 0; i < sides.size(); ++i) from[sides[i].first].push_back(i);
+  std::vector<bool> is_cut_off(sides.size(), false);
+  for (size_t i = 0; i < sides.size(); ++i) {
+    while (!is_cut_off[i]) {
+      const auto [a, b] = sides[i];
+      const Vec2 reach = glm::abs(places[b] - places[a]);
+      if (std::max(reach.x, reach.y) > least) break;
+      std::vector<size_t>& next = from[b];
+      if (next.size() != 1 || next[0] == i || sides[next[0]].second == a) return false;
+      faces.push_back({a, b, sides[next[0]].second});
+      sides[i].second = sides[next[0]].second;
+      is_cut_off[next[0]] = true;
+      next.clear();
+    }
+  }
+  std::vector<PatchSide> kept;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    if (!is_cut_off[i]) kept.push_back(sides[i]);
+  }
+  sides = std::move(kept);
+  return !faces.empty();
+}
 
-std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::span<const Vec3> at,
-                                                                        std::span<const PatchSide> sides,
-                                                                        const Vec3& normal) {
-  KERF_ASSERT(!sides.empty());
-  const Projection flat(normal);
-  std::vector<Vec2> places;
-  for (const Vec3& p : at) places.push_back(flat(p));
+std::optional<Faces> triangulate(std::span<const Vec3> at, std::span<const Vec2> places,
+                                 std::span<const PatchSide> sides) {
   if (std::ranges::any_of(sides, [&](const PatchSide& s) { return places[s.first] == places[s.second]; }))
     return std::nullopt;
   constexpr double kNoGrading = std::numeric_limits<double>::infinity();
@@ -288,6 +318,45 @@ std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::spa
       run_to_completion(triangulate_cap(places, at, sides, kNoGrading, no_vertex, conflict));
   if (!mesh || mesh->vertices().size() != places.size()) return std::nullopt;
   return mesh->triangles();
+}
+
+// Returns only the places that sides name, and numbers the sides by them.
+std::vector<uint32_t> renumber(std::vector<PatchSide>& sides) {
+  std::map<uint32_t, uint32_t> number;
+  for (const auto& [a, b] : sides) number.emplace(a, 0);
+  std::vector<uint32_t> used;
+  for (auto& [place, own] : number) {
+    own = static_cast<uint32_t>(used.size());
+    used.push_back(place);
+  }
+  for (auto& [a, b] : sides) a = number.at(a), b = number.at(b);
+  return used;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::span<const Vec3> at,
+                                                                        std::span<const PatchSide> sides,
+                                                                        const Vec3& normal) {
+  KERF_ASSERT(!sides.empty());
+  const Projection flat(normal);
+  std::vector<Vec2> places;
+  for (const Vec3& p : at) places.push_back(flat(p));
+  if (auto faces = triangulate(at, places, sides)) return faces;
+  Faces thin;
+  std::vector<PatchSide> longer(sides.begin(), sides.end());
+  if (!cut_off_short_sides(places, longer, thin)) return std::nullopt;
+  const std::vector<uint32_t> used = renumber(longer);
+  std::vector<Vec3> used_at;
+  std::vector<Vec2> used_places;
+  for (const uint32_t place : used) {
+    used_at.push_back(at[place]);
+    used_places.push_back(places[place]);
+  }
+  const auto faces = triangulate(used_at, used_places, longer);
+  if (!faces) return std::nullopt;
+  for (const auto& [a, b, c] : *faces) thin.push_back({used[a], used[b], used[c]});
+  return thin;
 }
 
 Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const WallPlane& plane, bool closes,

@@ -57,7 +57,8 @@ Section make_section(const Mesh& mesh, std::span<const RimSide> sides, const Wal
                      std::span<const SectionPeg> pegs = {});
 
 // Triangulates the region of a plane on the left of directed sides seen along -normal; `at` are their ends,
-// in the plane up to rounding. Adds no vertices. Returns nullopt if sides cross, or bound no finite region.
+// in the plane up to rounding. Adds no vertices. Sides too short for the grid of triangulate_cap() get faces
+// of their own. Returns nullopt if sides cross, or bound no finite region.
 // Precondition: there is a side. O(n log n).
 std::optional<std::vector<std::array<uint32_t, 3>>> triangulate_section(std::span<const Vec3> at,
                                                                         std::span<const PatchSide> sides,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/deterministic_math.h"
 #include "core/document/commands.h"
 #include "core/document/document.h"
 #include "core/document/extract.h"
@@ -246,6 +247,52 @@ TEST(Knife, cuts_a_moved_body_in_the_world) {
     EXPECT_NEAR(enclosed_volume(body.mesh, faces, body.middle()).volume, 0.5, 1e-14);
 }
 
+// The number of the face in the world is a rounded one.
+TEST(Knife, cuts_nothing_off_a_moved_body_along_its_face) {
+  World world = solid_world(brick({0.3, 1, 1}));
+  only_body(world).placement.position = {1000.1, 0, 0};
+  cut(world, {{1, 0, 0}, 1000.1 + 0.3});
+  expect_near(volumes(only_body(world)), {0.3});
+}
+
+// A pipe in single precision, cut at the number of a ring of vertices in double precision.
+TEST(Knife, leaves_the_bore_of_a_pipe_open_next_to_a_ring_of_vertices) {
+  constexpr uint32_t kSides = 64;
+  const std::vector<double> rings{0, static_cast<double>(12.7f), 100};
+  Soup pipe;
+  for (const double radius : {10.0, 8.0}) {
+    for (const double x : rings) {
+      for (uint32_t k = 0; k < kSides; ++k) {
+        const auto [sin, cos] = sin_cos(2 * kPi * k / kSides);
+        pipe.positions.push_back({x, static_cast<float>(radius * cos), static_cast<float>(radius * sin)});
+      }
+    }
+  }
+  const auto quad = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    pipe.triangles.push_back({a, b, c});
+    pipe.triangles.push_back({a, c, d});
+  };
+  const auto at = [&](uint32_t wall, uint32_t ring, uint32_t k) {
+    return (wall * 3 + ring) * kSides + k % kSides;
+  };
+  for (uint32_t k = 0; k < kSides; ++k) {
+    for (uint32_t ring = 0; ring < 2; ++ring) {
+      quad(at(0, ring, k), at(0, ring, k + 1), at(0, ring + 1, k + 1), at(0, ring + 1, k));
+      quad(at(1, ring, k), at(1, ring + 1, k), at(1, ring + 1, k + 1), at(1, ring, k + 1));
+    }
+    quad(at(0, 0, k), at(1, 0, k), at(1, 0, k + 1), at(0, 0, k + 1));
+    quad(at(0, 2, k), at(0, 2, k + 1), at(1, 2, k + 1), at(1, 2, k));
+  }
+  World world = solid_world(pipe);
+  const double before = volume_of(only_body(world)), area = live_area(only_body(world).mesh);
+  cut(world, {{1, 0, 0}, 12.7});
+  const Body& body = only_body(world);
+  EXPECT_EQ(faces_by_piece(body, false).size(), 2u);
+  EXPECT_NEAR(volume_of(body), before, 1e-9 * before);
+  const double ring = 0.5 * kSides * sin_cos(2 * kPi / kSides).sin * (100 - 64);
+  EXPECT_NEAR(live_area(body.mesh), area + 2 * ring, 1e-5 * area);
+}
+
 TEST(Knife, cuts_real_meshes) {
   const auto files = real_meshes(200'000);
   if (files.empty()) GTEST_SKIP() << kNoRealMeshes;
@@ -317,6 +364,46 @@ TEST(KnifePath, cuts_along_its_corners) {
   ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
   const double corner = 0.7 * 0.7 - 0.3 * 0.3 / 2;
   expect_near(volumes(only_body(world)), {corner, 1 - corner});
+}
+
+TEST(KnifePath, cuts_pieces_that_touch_each_other) {
+  World world = solid_world(brick({1, 1, 1}));
+  for (const auto& line :
+       {std::vector<Vec2>{{0.4, -0.5}, {0.4, 1.5}}, {{-0.5, 0.3}, {1.5, 0.3}}, {{-0.5, 0.8}, {1.5, 0.8}}}) {
+    const Delta delta = cut(world, path_from_above(line));
+    ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+  }
+  std::vector<double> expected;
+  for (const double x : {0.4, 0.6}) {
+    for (const double z : {0.3, 0.5, 0.2}) expected.push_back(x * z);
+  }
+  std::sort(expected.begin(), expected.end());
+  expect_near(volumes(only_body(world)), expected);
+}
+
+TEST(KnifePath, that_crosses_itself_cuts_sheets_and_leaves_solids_whole_with_a_note) {
+  const std::vector<Vec2> loop{{-0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}, {0.5, 1.5}, {0.5, -0.5}};
+  World sheet = world_of(moved(grid(7, 1), {0.5, 0, 0.5}, 1));
+  EXPECT_TRUE(cut(sheet, path_from_above(loop)).left_open.empty());
+  EXPECT_EQ(faces_by_piece(only_body(sheet), false).size(), 4u);
+  World solid = solid_world(brick({1, 1, 1}));
+  const Delta delta = cut(solid, path_from_above(loop));
+  ASSERT_EQ(delta.left_open.size(), 1u);
+  EXPECT_NE(delta.left_open.front().why.find("crosses its own cut"), std::string::npos);
+  expect_near(volumes(only_body(solid)), {1});
+}
+
+TEST(KnifePath, that_returns_ends_where_it_turned) {
+  World sheet = world_of(moved(grid(1, 1), {0.5, 0, 0.5}, 1));
+  cut(sheet, path_from_above({{-0.5, 0.4}, {0.8, 0.4}, {-0.5, 0.4}}));
+  EXPECT_EQ(faces_by_piece(only_body(sheet), false).size(), 1u);
+}
+
+TEST(KnifePath, may_begin_within_a_straight_part_of_an_outline) {
+  World solid = solid_world(brick({1, 1, 1}));
+  const std::vector<Vec2> square{{0.4, 0.3}, {0.7, 0.3}, {0.7, 0.8}, {0.2, 0.8}, {0.2, 0.3}, {0.4, 0.3}};
+  EXPECT_TRUE(cut(solid, path_from_above(square)).left_open.empty());
+  expect_near(volumes(only_body(solid)), {0.25, 0.75});
 }
 
 TEST(KnifePath, of_a_closed_outline_cuts_a_prism) {

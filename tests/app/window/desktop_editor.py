@@ -87,8 +87,18 @@ class DesktopEditor(EditorDriver):
         return self.landmarks()["pointer"] == self.pointer
 
     def wait_until_heard(self, of_what):
-        """Until a frame has seen the pointer where it was moved last."""
-        self.wait_for(self.has_heard, f"the editor never heard of {of_what}")
+        """Until a frame has seen the pointer where it was moved last. Repeats a move that the window missed, as it may
+        while it comes up."""
+        again = time.monotonic() + HANG / 30
+
+        def has_heard():
+            nonlocal again
+            if time.monotonic() > again:
+                again += HANG / 30
+                x, y = self.pointer
+                self.xdotool("mousemove", x + 1, y, "mousemove", x, y)
+            return self.has_heard()
+        self.wait_for(has_heard, f"the editor never heard of {of_what}")
 
     def settle(self):
         """Waits until the editor has heard of the last move of the pointer and has nothing left to do."""

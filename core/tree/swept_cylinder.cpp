@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/base/tolerances.h"
 
 namespace kerf {
 
@@ -101,7 +102,7 @@ SweptCylinder::SweptCylinder(const Pose& from, const Pose& to, double radius, In
   shift_ = glm::dot(motion, axis_);
   const Vec3 sideways = motion - shift_ * axis_;
   const double length = glm::length(sideways);
-  along_ = length > 0 ? sideways / length : any_across(axis_);
+  along_ = length > kMinSideways * glm::length(motion) ? sideways / length : any_across(axis_);
   across_ = glm::cross(axis_, along_);
   if (tilts_) {
     const auto tilt = [&](const Vec3& d) {

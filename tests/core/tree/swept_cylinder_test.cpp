@@ -98,6 +98,22 @@ TEST(SweptCylinder, never_misses_when_moving_along_its_axis_or_tilting) {
   }
 }
 
+TEST(SweptCylinder, keeps_its_radius_when_moving_along_an_oblique_axis) {
+  Random random(14);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 axis = random_direction(random), origin = random_direction(random);
+    const Vec3 aside = glm::normalize(glm::cross(axis, random_direction(random)));
+    const double radius = 0.05, away = random.uniform(0.06, 0.3);
+    const SweptCylinder beam({origin, axis}, {origin + random.uniform(0, 1) * axis, axis}, radius, {0, 2});
+    const Vec3 middle = origin + 1.5 * axis, beside = middle + away * aside;
+    EXPECT_NEAR(beam.signed_distance(middle), -radius, 1e-12) << "scene " << i;
+    EXPECT_NEAR(beam.signed_distance(beside), away - radius, 1e-12) << "scene " << i;
+    const Vec3 across = 0.01 * glm::cross(axis, aside);
+    EXPECT_TRUE(beam.touches({middle - across, middle + across, beside})) << "scene " << i;
+    EXPECT_FALSE(beam.touches({beside - across, beside + across, beside + aside})) << "scene " << i;
+  }
+}
+
 TEST(SweptCylinder, ends_in_a_plane_at_its_range) {
   const Pose pose{{0, 1, 0}, {0, -1, 0}};
   const SweptCylinder beam(pose, pose, 0.1, {0.5, 0.9});

@@ -157,14 +157,13 @@ bool SweptCylinder::contains(const Triangle& t) const {
 
 // Returns the minimum over the motion of measure(distance from the axis minus the radius, depth beyond the
 // ends of the range). Both arguments are convex functions of time, so that ternary search finds the minimum;
-// it is skipped if the ends of the range do not move.
+// it is skipped if the ends of the range do not move, or are never nearer than the lateral surface.
 template <typename Measure>
 double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
   const Interval depth = depth_contained();
-  if (shift_ == 0 || (seen.depth >= depth.low && seen.depth <= depth.high)) {
-    const double beyond = std::max(seen.depth - depth.high, depth.low - seen.depth);
-    return measure(std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_, beyond);
-  }
+  const double beside = std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_;
+  const double beyond = std::max(seen.depth - depth.high, depth.low - seen.depth);
+  if (shift_ == 0 || beyond <= std::min(0.0, beside)) return measure(beside, beyond);
   const auto at = [&](double s) {
     const Vec2 offset = seen.start + s * (seen.end - seen.start);
     const double d = seen.depth - s * shift_;

@@ -201,6 +201,13 @@ TEST(SmoothRim, follows_the_beam_boundary_for_tilted_strokes_and_across_old_slit
   }
 }
 
+TEST(SmoothRim, follows_the_beam_boundary_where_a_plunging_beam_ends_on_the_surface) {
+  const Vec3 down(0, -1, 0);
+  expect_smooth(cut_smoothly(plate(1), smooth_settings(0.03, 0.0075),
+                             {{{{0.013, 1, 0.02}, down}, {{0.013, 0, 0.02}, down}}}),
+                3);
+}
+
 TEST(SmoothRim, preserves_the_area_fraction_of_each_base_face) {
   for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
     CutSettings settings = smooth_settings(0.02, 0.005);

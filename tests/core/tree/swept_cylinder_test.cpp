@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tests/support/strokes.h"
 
@@ -112,6 +114,28 @@ TEST(SweptCylinder, keeps_its_radius_when_moving_along_an_oblique_axis) {
     EXPECT_TRUE(beam.touches({middle - across, middle + across, beside})) << "scene " << i;
     EXPECT_FALSE(beam.touches({beside - across, beside + across, beside + aside})) << "scene " << i;
   }
+}
+
+// The oracle errs by the way between two moments.
+TEST(SweptCylinder, has_the_least_signed_distance_of_all_moments) {
+  constexpr int kMoments = 2000;
+  Random random(15);
+  int inside = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Scene s = random_scene(random, true);
+    const SweptCylinder beam(s.from, s.to, s.radius, s.range);
+    double least = std::numeric_limits<double>::infinity();
+    for (int m = 0; m <= kMoments; ++m) {
+      const double t = static_cast<double>(m) / kMoments;
+      const Vec3 from = s.triangle[0] - (1 - t) * s.from.origin - t * s.to.origin;
+      const double depth = glm::dot(from, s.from.direction);
+      const double beside = glm::length(from - depth * s.from.direction) - s.radius;
+      least = std::min(least, std::max({beside, depth - s.range.high, s.range.low - depth}));
+    }
+    EXPECT_NEAR(beam.signed_distance(s.triangle[0]), least, 1.0 / kMoments) << "scene " << i;
+    inside += least < 0;
+  }
+  EXPECT_GT(inside, 50);
 }
 
 TEST(SweptCylinder, ends_in_a_plane_at_its_range) {

@@ -538,6 +538,7 @@ class RimBite {
 
   // Refines and moves vertices alternately, because each may require the other, then cuts and flips edges.
   Status reshape(RimState& rim) {
+    if (rim.mesh().live_faces() > settings_.max_faces) return too_many_faces(settings_);
     const Stopwatch watch(rim.step.statistics.refine_s);
     const bool asks_for_distances = work_.stage == Stage::kRefine || work_.stage == Stage::kMoveInPlane ||
                                     work_.stage == Stage::kMoveAlongEdges;

@@ -335,6 +335,27 @@ TEST(SmoothRim, leaves_a_valid_mesh_and_tree_when_interrupted) {
   }
 }
 
+TEST(SmoothRim, fails_if_it_would_create_too_many_faces) {
+  CutSettings settings = smooth_settings(0.03, 0.0075);
+  const BeamMove stroke{{{-0.2, 1, 0}, {0, -1, 0}}, {{0.2, 1, 0.05}, {0, -1, 0}}};
+  World world = world_of(plate(1));
+  ASSERT_TRUE(cut_whole(world, settings, subdivide(stroke, settings.laser.radius, 2)).ok());
+  settings.faces_per_step = 1;
+  size_t most = 0;
+  World closed = world;
+  UnfinishedRim unfinished;
+  do {
+    ASSERT_TRUE(rim_step(closed, settings, {&stroke, 1}, {}, unfinished).ok());
+    most = std::max<size_t>(most, only_body(closed).mesh.live_faces());
+  } while (unfinished.begun());
+  for (const size_t fewer : {size_t{0}, size_t{1}}) {
+    World limited = world;
+    settings.max_faces = most - fewer;
+    EXPECT_EQ(close_rim(limited, settings, {&stroke, 1}).ok(), fewer == 0);
+    EXPECT_EQ(find_fault(only_body(limited).mesh), "");
+  }
+}
+
 TEST(SmoothRim, is_the_same_in_1_10_and_1000_steps) {
   for (uint64_t seed = 1; seed <= runs(4); ++seed) {
     uint64_t hash = 0;

@@ -377,7 +377,8 @@ class Groups {
   void add_parts(BodyId id, const std::set<uint32_t>& named) {
     const Body& body = world_.body(id);
     const auto add = [&](const ConnectedPart& part, const FaceCounts& counts, bool is_named) {
-      if (body.pieces[part.label].faces == 0 || counts.faces == 0) return;
+      // A component without faces may have no home.
+      if (counts.faces == 0 || body.pieces[part.label].faces == 0) return;
       const auto at = static_cast<uint32_t>(parts_.size());
       parts_.push_back({part, counts.area, is_named});
       index_.emplace(part, at);

@@ -34,7 +34,8 @@ struct LoadedComponents {
 
   std::vector<uint32_t> of_base;  // by base face; all lists are empty if the mesh is connected
   Records<FaceCounts> left;       // by component: its faces that have the label of its home piece
-  Records<uint32_t> home;         // by component: label of its home piece
+  // By component: label of its home piece; kNone if a wall merged it into a part that was cut off.
+  Records<uint32_t> home;
   // By component: the component that a wall merged it into, plus one; 0 or beyond the end if none did.
   Records<uint32_t> joined;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/edit/detach.h"
 #include "core/edit/separation.h"
 #include "core/world/world.h"
@@ -135,6 +137,28 @@ TEST(SeparateByJoints, jointed_pieces_are_cut_like_any_others) {
     }
     EXPECT_GT(world.live_pieces(), 5u);
   }
+}
+
+TEST(SeparateByJoints, accepts_a_part_that_a_wall_merged_into_a_piece_cut_off) {
+  World world = car_of_sheets();
+  cut(world, {0.15, 0, -0.3}, {0.15, 0, 0.3}, 0.005);
+  Body& body = world.body(world.ids()[0]);
+  const std::vector<FaceId> faces = body.faces_of(label_of(world, "shell"));
+  const auto is_of = [&](const char* part, FaceId f) {
+    const uint32_t base = body.mesh.data(f).base.index;
+    return std::ranges::any_of(body.named_parts, [&](const MeshPart& p) {
+      return p.name == part && p.first <= base && base < p.last;
+    });
+  };
+  const auto shell = std::ranges::find_if(faces, [&](FaceId f) { return is_of("shell", f); });
+  const auto sheet = std::ranges::find_if(faces, [&](FaceId f) { return is_of("sheet", f); });
+  ASSERT_TRUE(shell != faces.end() && sheet != faces.end());
+  join_parts(body, *shell, *sheet);
+  Delta delta;
+  separate_by_joints(world, JointMode::kRigid, delta);
+  EXPECT_TRUE(delta.empty());
+  EXPECT_EQ(held_joints(world).size(), 3u);
+  EXPECT_EQ(world.live_pieces(), 2u);
 }
 
 TEST(SeparateByJoints, cutting_the_faces_of_a_weld_releases_it) {

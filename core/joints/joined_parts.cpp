@@ -388,8 +388,10 @@ class Groups {
       const bool other_cut_off = other.part.component == LoadedComponents::kNone;
       if (!is_first && (cut_off || (!other_cut_off && counts.area > other.area))) seat->second = at;
     };
+    std::set<uint32_t> merged;
+    for (const uint32_t c : named) merged.insert(body.components.merged(c));
     for (uint32_t c = 0; c < body.components.left.size(); ++c)
-      add({id, body.components.home[c], c}, body.components.left[c], named.contains(c));
+      add({id, body.components.home[c], c}, body.components.left[c], merged.contains(c));
     const bool connected = body.components.of_base.empty();
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
       const Piece& piece = body.pieces[label];

@@ -58,6 +58,7 @@ void label_faces(Body& made, const Body& body, const PieceCopy& copy, const Reme
   LoadedComponents components;
   if (!copy.components.empty()) {
     components.home = body.components.home;
+    components.joined = body.components.joined;
     for (uint32_t c = 0; c < components.home.size(); ++c) components.left.push_back({});
     for (const FaceId origin : r.origins) components.of_base.push_back(copy.components[origin.index]);
   }

@@ -39,12 +39,13 @@ struct LoadedComponents {
   // By component: the component that a wall merged it into, plus one; 0 or beyond the end if none did.
   Records<uint32_t> joined;
 
-  // Returns the component of a base face, as merged by walls. Precondition: the mesh was not connected.
-  uint32_t of(FaceId base) const {
-    uint32_t component = of_base[base.index];
+  // Returns the component into which walls merged a component; the same one if none did.
+  uint32_t merged(uint32_t component) const {
     while (component < joined.size() && joined[component] != 0) component = joined[component] - 1;
     return component;
   }
+  // Returns the component of a base face, as merged by walls. Precondition: the mesh was not connected.
+  uint32_t of(FaceId base) const { return merged(of_base[base.index]); }
 
   // Returns the component of the faces with this base face and label; kNone if they were cut off or the mesh
   // was connected.

@@ -139,21 +139,40 @@ TEST(SeparateByJoints, jointed_pieces_are_cut_like_any_others) {
   }
 }
 
+// Merges two parts of a piece as a wall between them does.
+void merge(World& world, uint32_t label, const std::string& a, const std::string& b) {
+  Body& body = world.body(world.ids()[0]);
+  const std::vector<FaceId> faces = body.faces_of(label);
+  const auto face_of = [&](const std::string& part) {
+    return std::ranges::find_if(faces, [&](FaceId f) {
+      const uint32_t base = body.mesh.data(f).base.index;
+      return std::ranges::any_of(body.named_parts, [&](const MeshPart& p) {
+        return p.name == part && p.first <= base && base < p.last;
+      });
+    });
+  };
+  ASSERT_TRUE(face_of(a) != faces.end() && face_of(b) != faces.end());
+  join_parts(body, *face_of(a), *face_of(b));
+}
+
+TEST(SeparateByJoints, a_part_merged_with_one_without_joints_is_released_with_it) {
+  const Soup small = test::rectangle(0.06, 0.06, 2);
+  const std::vector<NamedSheet> sheets{{"badge", small, {-0.2, 0.02, 0}},
+                                       {"sheet", test::rectangle(1, 0.4, 20)},
+                                       {"handle", small, {-0.3, 0.02, 0}}};
+  const JointDescription held = weld("handle", "sheet", {-0.3, 0.02, 0}, 0.05);
+  World world = test::jointed_world(sheets, {&held, 1});
+  ASSERT_NO_FATAL_FAILURE(merge(world, 0, "badge", "handle"));
+  cut(world, {-0.3, 0, -0.02}, {-0.3, 0, 0.02}, 0.08);  // from between the sheet and the handle
+  EXPECT_EQ(world.live_pieces(), 2u);
+  EXPECT_NE(label_of(world, "handle"), 0u);
+  EXPECT_EQ(label_of(world, "badge"), label_of(world, "handle"));
+}
+
 TEST(SeparateByJoints, accepts_a_part_that_a_wall_merged_into_a_piece_cut_off) {
   World world = car_of_sheets();
   cut(world, {0.15, 0, -0.3}, {0.15, 0, 0.3}, 0.005);
-  Body& body = world.body(world.ids()[0]);
-  const std::vector<FaceId> faces = body.faces_of(label_of(world, "shell"));
-  const auto is_of = [&](const char* part, FaceId f) {
-    const uint32_t base = body.mesh.data(f).base.index;
-    return std::ranges::any_of(body.named_parts, [&](const MeshPart& p) {
-      return p.name == part && p.first <= base && base < p.last;
-    });
-  };
-  const auto shell = std::ranges::find_if(faces, [&](FaceId f) { return is_of("shell", f); });
-  const auto sheet = std::ranges::find_if(faces, [&](FaceId f) { return is_of("sheet", f); });
-  ASSERT_TRUE(shell != faces.end() && sheet != faces.end());
-  join_parts(body, *shell, *sheet);
+  ASSERT_NO_FATAL_FAILURE(merge(world, label_of(world, "shell"), "shell", "sheet"));
   Delta delta;
   separate_by_joints(world, JointMode::kRigid, delta);
   EXPECT_TRUE(delta.empty());

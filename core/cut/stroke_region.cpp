@@ -187,8 +187,8 @@ bool StrokeRegion::reaches_into(FaceId near, const Triangle& t, double graze) co
   for_each_part_near(near, [&](uint32_t i) {
     const SweptCylinder& part = parts_[i];
     if (any || !part.touches(t, part.radius() - graze)) return;
-    any =
-        !part.tilts() || longest_edge2(t) > part.radius() * part.radius() || has_point_within(part, t, graze);
+    any = part.touches_exactly(t) || longest_edge2(t) > part.radius() * part.radius() ||
+          has_point_within(part, t, graze);
   });
   return any;
 }

@@ -145,6 +145,16 @@ bool SweptCylinder::touches(const Triangle& t, double radius) const {
   return polygon.count > 0 && disc_meets_sweep(polygon, radius * radius, tilts_);
 }
 
+bool SweptCylinder::touches_exactly(const Triangle& t) const {
+  if (tilts_) return false;
+  if (shift_ == 0) return true;
+  const Interval depth = depth_contained();
+  return std::all_of(t.begin(), t.end(), [&](const Vec3& p) {
+    const double own = glm::dot(p - from_origin_, axis_);
+    return own >= depth.low && own <= depth.high;
+  });
+}
+
 bool SweptCylinder::contains(const Triangle& t) const {
   if (!(radius_ > 0)) return false;
   const Interval depth = depth_contained();

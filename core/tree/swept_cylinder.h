@@ -41,9 +41,10 @@ class SweptCylinder {
 
   double radius() const { return radius_; }
   Interval range() const { return range_; }
-  // Returns true if the beam tilts. touches() may then return true for a triangle slightly outside the volume
-  // to which the distances refer.
-  bool tilts() const { return tilts_; }
+  // Returns true if touches() of this triangle refers to the same volume as the distances. If the beam tilts,
+  // or if the ends of its range pass the triangle, touches() may return true slightly outside that volume, or
+  // where the range has not reached or has left the triangle.
+  bool touches_exactly(const Triangle& t) const;
 
   // Returns this sweep with another radius. Precondition: radius >= 0.
   SweptCylinder with_radius(double radius) const {

@@ -50,6 +50,16 @@ TEST_F(RegionAlongX, reaches_into_a_triangle_only_beyond_the_tolerance) {
   EXPECT_FALSE(region_.reaches_into(FaceId(0), beside, 0.1));
 }
 
+TEST(StrokeRegion, does_not_reach_into_triangles_that_the_range_has_left_behind) {
+  const Vec3 down(0, -1, 0);
+  StrokeRegion region;
+  region.add(SweptCylinder({Vec3(0, 0.5, 0), down}, {Vec3(1, -0.5, 0), down}, 0.1, {0, 10}));
+  region.record_near(FaceId(0), 0);
+  const auto small = [](double x) { return Triangle{Vec3(x, 0, 0), Vec3(x + 0.05, 0, 0), Vec3(x, 0, 0.05)}; };
+  EXPECT_TRUE(region.reaches_into(FaceId(0), small(0.3), 0.01));
+  EXPECT_FALSE(region.reaches_into(FaceId(0), small(0.8), 0.01));
+}
+
 // A part whose beam turns is asked at points of a small triangle.
 TEST(StrokeRegion, reaches_into_small_triangles_with_points_in_a_tilting_beam) {
   Random random(9);

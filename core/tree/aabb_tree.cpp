@@ -78,9 +78,8 @@ void AabbTree::add(const Mesh& mesh, std::span<const FaceId> faces) {
 
 void AabbTree::refit(const Mesh& mesh, std::span<const FaceId> faces) {
   for (const FaceId f : faces) {
-    loosen_bounds(f);
+    move_bounds(mesh, f);
     refit_face(store_, mesh, f);
-    for (const Vec3& p : mesh.triangle(f)) enlarge_bounds(p);
   }
 }
 
@@ -97,6 +96,8 @@ void AabbTree::update(const Mesh& mesh, std::vector<FaceId> faces) {
       remove(f);
     } else if (!store_.holds(TreeFace(store_.frame, mesh, f), place / kBlockWidth, place % kBlockWidth)) {
       moved.push_back(f);
+    } else {
+      move_bounds(mesh, f);  // its corners may have moved by less than floats resolve
     }
   }
   if (added.size() + moved.size() > leaf_count_ / 2) return rebuild(mesh, store_.frame);
@@ -289,6 +290,11 @@ void AabbTree::loosen_bounds(FaceId f) {
     const Float4 corner{block.corner[i][0][l], block.corner[i][1][l], block.corner[i][2][l], 0};
     loose_ |= (mask_bits(corner <= low) & 7) | (mask_bits(corner >= high) & 7) << 3;
   }
+}
+
+void AabbTree::move_bounds(const Mesh& mesh, FaceId f) {
+  loosen_bounds(f);
+  for (const Vec3& p : mesh.triangle(f)) enlarge_bounds(p);
 }
 
 void AabbTree::fit_bounds(const Mesh& mesh) {

@@ -151,6 +151,8 @@ class AabbTree {
   void rebuild(const Mesh& mesh, TreeFrame frame);
   void set_bounds(const Bounds& bounds);
   void loosen_bounds(FaceId f);
+  // Follows a face that the tree still holds with its former corners.
+  void move_bounds(const Mesh& mesh, FaceId f);
   const FaceBlock& any_block() const;
 
   TreeStore store_;

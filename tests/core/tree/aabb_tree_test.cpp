@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/measures.h"
 #include "core/mesh/refinement.h"
 #include "core/tree/queries.h"
 #include "tests/support/made_meshes.h"
@@ -125,6 +126,20 @@ TEST(AabbTree, boxes_contain_their_children_and_shrink_after_a_removal) {
   }
   tree.fit_bounds(mesh);
   EXPECT_NEAR(tree.bounds().max.x - tree.bounds().min.x, width / 2, 1e-6);
+}
+
+TEST(AabbTree, has_exact_bounds_after_corners_moved_by_less_than_floats_resolve) {
+  Mesh mesh = build(plate(1)).mesh;
+  AabbTree tree(mesh);
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) faces.emplace_back(f);
+  const VertexId corner = mesh.corners(FaceId(0))[0];
+  const Vec3 at = mesh.position(corner);
+  for (const double factor : {1 + 1e-12, 1.0}) {
+    mesh.move_vertex(corner, factor * at);
+    tree.update(mesh, faces);
+    EXPECT_EQ(tree.bounds(), *bounds_of(mesh, nullptr));
+  }
 }
 
 TEST(AabbTree, reports_boxes_of_hit_faces) {

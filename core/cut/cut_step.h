@@ -29,8 +29,9 @@ std::vector<BodyId> cuttable(const World& world);
 std::vector<BodyId> cuttable(const World& world, const CutSettings& settings);
 
 // Returns true if a beam touches a face of a cuttable body during a move in world coordinates. Otherwise the
-// move removes and heats nothing. Also returns true for a move of very many parts (see subdivide). O(log n)
-// per part. Preconditions: directions are unit vectors and not opposite.
+// move removes and heats nothing in the geometric model; rays of the thermal model reach beyond the radius
+// (see ray_bundle). Also returns true for a move of very many parts (see subdivide). O(log n) per part.
+// Preconditions: directions are unit vectors and not opposite.
 bool hits_anything(const World& world, const Laser& laser, const BeamMove& move);
 // Likewise for a stationary beam.
 bool hits_anything(const World& world, const Laser& laser, const Pose& pose);
@@ -194,10 +195,10 @@ struct StepResult {
   StepStatistics statistics;
 };
 
-// Executes one step of a cut through all bodies that the settings let the beam cut (see cuttable). For each move of the
-// beam in turn, finds the faces that it touches (hit), splits them until they are fine enough or wholly
-// inside the beam (refine), removes them (remove), and labels separated pieces (separate). Faces are split
-// and removed nowhere else. Moves are in world coordinates.
+// Executes one step of a cut through all bodies that the settings let the beam cut (see cuttable). For each
+// move of the beam in turn, finds the faces that it touches (hit), splits them until they are fine enough or
+// wholly inside the beam (refine), removes them (remove), and labels separated pieces (separate). Faces are
+// split and removed nowhere else. Moves are in world coordinates.
 //
 // The step resumes the first move from `unfinished`, and ends with the last move or after
 // settings.faces_per_step faces. If it ends within a move, `unfinished` holds the progress, and the caller

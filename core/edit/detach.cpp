@@ -165,6 +165,7 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
   copy.looks = body.looks;
   copy.loaded = body.loaded;
   copy.loaded_as = body.loaded_as;
+  copy.is_copy = body.is_copy;
   copy.loaded_faces = loaded_faces_of(copy.mesh, body, faces);
   return copy;
 }
@@ -227,6 +228,7 @@ BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta&
   copy.name = body.name_of(piece.label) + " copy";
   copy.named = piece.label;
   copy.piece_names.clear();
+  copy.is_copy = true;
   Delta step;
   step.created = {world.add(std::move(copy), generation)};
   delta.append(step);

@@ -36,7 +36,8 @@ bool is_only_piece(const World& world, const PieceId& piece);
 BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& delta);
 
 // Adds a copy of a piece as a separate body of this generation and returns its id. The copy has the label and
-// the placement of the piece, and its name with " copy" appended. Appends the change to `delta`.
+// the placement of the piece, and its name with " copy" appended. It has no joints: those of the piece keep
+// holding the piece alone. Appends the change to `delta`.
 //
 // Precondition: the piece has faces. O(n log n) in its faces, and O(n) in those of the body.
 BodyId duplicate(World& world, const PieceId& piece, uint32_t generation, Delta& delta);

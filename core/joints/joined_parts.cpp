@@ -316,7 +316,7 @@ class NamedComponents {
   // Returns null if the body has no joints.
   const std::set<uint32_t>* of(const Body& body) const {
     const auto at = of_.find(body.loaded_as);
-    return at != of_.end() ? &at->second : nullptr;
+    return at != of_.end() && !body.is_copy ? &at->second : nullptr;
   }
 
  private:
@@ -522,7 +522,7 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
   std::map<BodyId, Carriers> carriers;  // by the body as which faces were loaded
   for (const BodyId id : world.ids()) {
     const BodyId loaded_as = world.body(id).loaded_as;
-    if (!std::ranges::binary_search(of, loaded_as)) continue;
+    if (world.body(id).is_copy || !std::ranges::binary_search(of, loaded_as)) continue;
     auto at = carriers.find(loaded_as);
     if (at == carriers.end()) at = carriers.emplace(loaded_as, Carriers(world.joints(), loaded_as)).first;
     if (!at->second.empty()) look_through(id, world.body(id), world.joints(), at->second, sides);

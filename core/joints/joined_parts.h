@@ -66,8 +66,8 @@ using LoadedBodies = std::vector<BodyId>;
 LoadedBodies bodies_with_joints(const Joints& joints);
 
 // Returns the intact joints, in order. A joint is intact if both sides have carrying faces left, those of
-// each side belong to one part, and those of a hinge reach its pin. O(faces of the bodies with joints);
-// constant time in a world without joints.
+// each side belong to one part, and those of a hinge reach its pin. Faces of copies carry none (see
+// Body::is_copy). O(faces of the bodies with joints); constant time in a world without joints.
 std::vector<HeldJoint> held_joints(const World& world);
 // Returns the intact joints of some loaded bodies. O(bodies + faces loaded with them).
 std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of);

@@ -79,6 +79,7 @@ struct Body {
   // of that body. The list is empty if both are equal, i.e. unless this body was detached from another.
   BodyId loaded_as;
   std::vector<FaceId> loaded_faces;
+  bool is_copy = false;  // duplicated from another body: its faces carry no joints (see duplicate)
 
   // Returns the label of f, or the label that an unfinished search will give it.
   uint32_t label(FaceId f) const;

@@ -155,6 +155,23 @@ void merge(World& world, uint32_t label, const std::string& a, const std::string
   join_parts(body, *face_of(a), *face_of(b));
 }
 
+TEST(SeparateByJoints, a_copy_has_no_joints_and_leaves_those_of_the_original) {
+  World world = car_of_sheets();
+  Delta delta;
+  const BodyId copy = duplicate(world, {world.ids()[0], 0}, 1, delta);
+  EXPECT_EQ(held_joints(world).size(), 3u);
+  for (const JointMode mode : {JointMode::kRigid, JointMode::kArticulated}) {
+    Delta changes;
+    separate_by_joints(world, mode, changes);
+    EXPECT_TRUE(changes.empty());
+  }
+  EXPECT_EQ(world.live_pieces(), 2u);
+  cut(world, {0.15, 0, -0.3}, {0.15, 0, 0.3}, 0.005);  // the sheets of both
+  EXPECT_EQ(world.live_pieces(), 4u);
+  detach(world, {copy, 1}, 2, delta);
+  EXPECT_EQ(held_joints(world).size(), 3u);
+}
+
 TEST(SeparateByJoints, a_part_merged_with_one_without_joints_is_released_with_it) {
   const Soup small = test::rectangle(0.06, 0.06, 2);
   const std::vector<NamedSheet> sheets{{"badge", small, {-0.2, 0.02, 0}},

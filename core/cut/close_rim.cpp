@@ -209,6 +209,7 @@ Task<std::vector<uint32_t>> WallClosing::parts_with_sides() {
 
 // Returns true if all sides of a face are open, or two are and the third one lies on the boundary too.
 bool WallClosing::is_ear(std::span<const RimSide> of_face) const {
+  KERF_ASSERT(!of_face.empty() && of_face.size() <= 3);
   if (of_face.size() != 2) return of_face.size() == 3;
   const auto c = mesh().corners(of_face[0].face);
   const auto is_open = [&](VertexId from) { return of_face[0].from == from || of_face[1].from == from; };
@@ -310,6 +311,7 @@ std::vector<std::pair<FaceId, int>> WallClosing::crossings(const Vec3& p, const 
 
 // Returns true if one wall would be adjacent to faces of two pieces.
 bool WallClosing::joins_pieces(const WallPatch& patch) const {
+  KERF_ASSERT(patch.sides.size() == patch.wall_of_side.size());
   for (size_t i = 0; i < patch.sides.size(); ++i) {
     const FaceId beside = patch.beside_wall[patch.wall_of_side[i]];
     if (mesh().data(patch.sides[i].face).piece != mesh().data(beside).piece) return true;
@@ -318,6 +320,7 @@ bool WallClosing::joins_pieces(const WallPatch& patch) const {
 }
 
 Task<std::vector<FaceId>> WallClosing::add(const WallPatch& patch) {
+  KERF_ASSERT(patch.faces.size() == patch.wall_of_face.size());
   constexpr size_t kTogether = 256;
   std::vector<VertexId> vertices = patch.rim;
   for (const Vec3& p : patch.added) vertices.push_back(rim_->step.edit.add_vertex(p));
@@ -521,6 +524,7 @@ class RimBite {
     const Stopwatch watch(rim.step.statistics.query_s);
     size_t& next = work_.next;
     if (work_.stage == Stage::kSweep) {
+      KERF_ASSERT(next <= sweep.moves.size());
       const size_t end = std::min(sweep.moves.size(), next + faces_per_batch());
       for (; next < end; ++next) add_to_region(rim, sweep.moves[next], sweep.in_body_frame);
       taken_ += kLightPart;
@@ -596,6 +600,7 @@ class RimBite {
   // Returns true if all walls are heated.
   bool heat(const RimState& rim) {
     KERF_ASSERT(work_.waiting.empty() || (rim.step.body().solid && settings_.heat_width > 0));
+    KERF_ASSERT(work_.next <= work_.waiting.size());
     const size_t end = std::min(work_.waiting.size(), work_.next + 8 * faces_per_batch());
     heat_walls(world_, rim.step, std::span(work_.waiting).subspan(work_.next, end - work_.next));
     taken_ += end - std::exchange(work_.next, end);

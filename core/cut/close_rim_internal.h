@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/task.h"
 #include "core/cut/stroke_region.h"
 #include "core/walls/make_walls.h"
@@ -40,7 +41,10 @@ class WallClosing {
   bool is_adding() const { return is_adding_; }
 
   // Returns the result. Precondition: resume() returned true.
-  ClosedRim take() { return closing_->take(); }
+  ClosedRim take() {
+    KERF_ASSERT(closing_.has_value());
+    return closing_->take();
+  }
 
  private:
   // Sides, as face and start vertex, on edges of several sheets whose rings were already visited.

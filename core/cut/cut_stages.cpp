@@ -153,6 +153,7 @@ std::vector<FaceId> faces_within(const BodyStep& step, const Deposit& deposit,
 
 // Raises the energies (J) of faces to at least the given ones, and adds the difference to the energy balance.
 void raise(World& world, BodyId id, std::span<const FaceId> faces, std::span<const double> energies) {
+  KERF_ASSERT(faces.size() == energies.size());
   Body& body = world.body(id);
   double added = 0;
   for (size_t i = 0; i < faces.size(); ++i) {
@@ -202,6 +203,7 @@ void hit(BodyStep& step, std::vector<FaceId>& faces) {
 // Removes both halves of a green pair together: if the beam touches either, or, for a smooth rim, if it
 // contains both.
 void remove(BodyStep& step, UnfinishedMove& move, bool only_within, bool keeps_beside) {
+  KERF_ASSERT(move.removed <= move.hit.size());
   std::vector<FaceId> going;
   const size_t end = std::min(move.hit.size(), move.removed + faces_per_batch());
   for (; move.removed < end; ++move.removed) {
@@ -240,6 +242,7 @@ Status refine(BodyStep& step, UnfinishedMove& move, const CutSettings& settings,
 }
 
 bool is_fine_enough(const BodyStep& step, const CutSettings& settings, FaceId f) {
+  KERF_ASSERT(step.mesh().is_live(f));
   return is_fine_enough(step, settings, step.body().refinement.triangle(step.mesh(), f), f);
 }
 
@@ -265,6 +268,7 @@ std::span<const Replacement> split_by_scheme(BodyStep& step, Scheme scheme, Face
 
 void deposit_heat(World& world, BodyStep& step, const CutSettings& settings, std::span<const FaceId> beside) {
   KERF_ASSERT(settings.heat_width > 0);
+  KERF_ASSERT(!step.beam.empty());
   const Deposit deposit(step, settings);
   const std::vector<FaceId> faces = faces_within(step, deposit, beside);
   std::vector<double> energies(faces.size());

@@ -51,6 +51,7 @@ class StepRun {
   // Executes at most `max_parts` parts of a move within faces_per_step faces. Returns true if the move is
   // finished.
   Result<bool> take(const BeamMove& move, size_t max_parts = kNoLimit) {
+    KERF_ASSERT(move_.bodies <= bodies_.size());
     const bool stage_by_stage = max_parts != kNoLimit;
     for (; move_.bodies < bodies_.size(); ++move_.bodies) {
       BodyStep& step = bodies_[move_.bodies];

@@ -71,6 +71,7 @@ class KnifeCut {
     split();
     update_tree(step_);
     const KnifeSides sides = find_sides();
+    KERF_ASSERT(sides.above.empty() == sides.below.empty());
     if (sides.above.empty()) return;
     step_.edit.open_edges(sides.above);
     std::vector<FaceId> seeds;
@@ -106,6 +107,7 @@ class KnifeCut {
       made = {make_section(mesh(), above, down, closes), make_section(mesh(), below, plane_, closes)};
     if (closes) {
       solid.pegs += made.first.pegs;
+      KERF_ASSERT(made.first.pegs <= static_cast<size_t>(pegs_.count));
       solid.missing_pegs += static_cast<size_t>(pegs_.count) - made.first.pegs;
     }
     return made;
@@ -223,6 +225,7 @@ Vec3 plane_crossing(const Mesh& mesh, const WallPlane& plane, const Mesh::Side& 
   Vec3 a = mesh.position(edge.from), b = mesh.position(edge.to);
   if (lexicographic_less(b, a)) std::swap(a, b);
   double of_a = distance_from(plane, a), of_b = distance_from(plane, b);
+  KERF_ASSERT((of_a < 0) != (of_b < 0));
   if (std::abs(of_b) < std::abs(of_a)) {
     std::swap(a, b);
     std::swap(of_a, of_b);
@@ -253,6 +256,8 @@ std::vector<RimSide> open_sides(const Mesh& mesh, std::span<const Mesh::Side> si
 
 void add_section(BodyStep& step, const SectionWalls& walls) {
   const WallPatch& patch = walls.patch;
+  KERF_ASSERT(patch.faces.size() == patch.wall_of_face.size());
+  KERF_ASSERT(patch.sides.size() == patch.wall_of_side.size());
   std::vector<VertexId> vertices = patch.rim;
   for (const Vec3& p : patch.added) vertices.push_back(step.edit.add_vertex(p));
   FaceAddition addition(vertices, patch.faces);

@@ -508,6 +508,7 @@ class PathCut {
       const auto corners = mesh().corners(s.face);
       size_t i = 0;
       while (i < 2 && mesh().position(corners[i]) != mesh().position(s.from)) ++i;
+      KERF_ASSERT(mesh().position(corners[i]) == mesh().position(s.from));
       now.push_back({s.face, corners[i], corners[(i + 1) % 3]});
     }
     return now;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/cut/knife_internal.h"
 #include "core/mesh/measures.h"
 
@@ -84,6 +85,7 @@ class PegPlaces {
 std::vector<Vec3> peg_centres(const Mesh& mesh, std::span<const Mesh::Side> sides, const WallPlane& plane,
                               const Pegs& pegs, const std::function<bool(const Vec3&, double)>& has_room) {
   const double radius = pegs.diameter / 2, reach = radius + pegs.tolerance + kPegMargin * radius;
+  KERF_ASSERT(radius > 0 && is_unit(plane.normal));
   const PegPlaces section(mesh, sides, plane);
   std::vector<PegPlaces::Place> places = section.places(reach);
   std::vector<Vec3> centres;

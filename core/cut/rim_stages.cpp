@@ -3,6 +3,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/cut/rim_stages_internal.h"
 #include "core/mesh/measures.h"
@@ -29,6 +30,7 @@ bool is_processed_later(const RimSnap& a, const RimSnap& b) {
 }
 
 void push(std::vector<RimSnap>& snaps, const RimSnap& snap) {
+  KERF_ASSERT(snap.share < 1);
   snaps.push_back(snap);
   std::push_heap(snaps.begin(), snaps.end(), is_processed_later);
 }
@@ -202,6 +204,7 @@ Crossing longest_crossing(RimState& rim, FaceId f) {
 
 // Splits the face's edge, and all faces on it, where it crosses the boundary.
 void split_at(RimState& rim, FaceId f, const Crossing& edge) {
+  KERF_ASSERT(edge.found());
   const VertexId in = edge.from_inside ? edge.from : edge.to, out = edge.from_inside ? edge.to : edge.from;
   const Vec3 a = rim.mesh().position(in), b = rim.mesh().position(out), at = rim.region.crossing(f, a, b);
   const double on_boundary = kRimOn * rim.radius();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/cut/cut_stages.h"
 #include "core/cut/cut_step.h"
 #include "core/cut/stroke_region.h"
@@ -73,6 +74,7 @@ bool flip_near_rim(RimState& rim);
 template <typename Item, typename Visit>
 bool visit_next(RimState& rim, const std::vector<Item>& list, Visit visit) {
   size_t& next = rim.work.next;
+  KERF_ASSERT(next <= list.size());
   for (size_t i = 0; i < faces_per_batch() && next < list.size(); ++i) visit(Item(list[next++]));
   if (next < list.size()) return false;
   next = 0;

@@ -258,6 +258,7 @@ SweptDistance::SweptDistance(const StrokeRegion& region, std::span<const BeamMov
 
 void SweptDistance::bound(uint32_t node, std::span<const BeamMove> moves) {
   Node& n = nodes_[node];
+  KERF_ASSERT(n.first < n.end && n.end <= moves.size());
   const auto own = moves.subspan(n.first, n.end - n.first);
   n.middle = own[own.size() / 2].from;
   n.from = own.front().from;

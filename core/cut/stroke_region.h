@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/containers.h"
 #include "core/laser/laser.h"
 #include "core/mesh/mesh.h"
@@ -24,7 +25,10 @@ class StrokeRegion {
     steepest_ = std::max(steepest_, part.steepest());
   }
   size_t parts() const { return parts_.size(); }
-  const SweptCylinder& part(size_t i) const { return parts_[i]; }
+  const SweptCylinder& part(size_t i) const {
+    KERF_ASSERT(i < parts_.size());
+    return parts_[i];
+  }
 
   // Appends a part to the list of a face. Precondition: parts are added to a face in ascending order.
   void record_near(FaceId f, uint32_t part);

@@ -54,6 +54,7 @@ class ThermalMoves {
   }
 
   Status take(const BeamMove& move) {
+    KERF_ASSERT(move.seconds >= 0);
     const double parts = parts_of(move);
     for (double i = 0; i < parts; ++i) {
       const BeamMove part{between(move, i / parts), between(move, (i + 1) / parts), move.seconds / parts};

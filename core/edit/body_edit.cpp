@@ -69,6 +69,7 @@ void BodyEdit::bisect_at_longest_edge(FaceId f) {
 
 void BodyEdit::split_edge_at(FaceId f, VertexId from, VertexId to, const Vec3& at,
                              std::vector<Mesh::FaceSplit>& out) {
+  KERF_ASSERT(mesh().is_live(f));
   KERF_ASSERT(at != mesh().position(from) && at != mesh().position(to));
   std::vector<Mesh::Side> sides;
   mesh().append_edge_sides(f, from, to, sides);
@@ -144,6 +145,7 @@ void BodyEdit::record_removal(FaceId f, const Triangle& corners, int64_t loops_b
 
 void BodyEdit::take_out(std::span<const FaceId> faces) {
   KERF_ASSERT(is_settled(*body_) && splits_.empty());
+  KERF_ASSERT(std::is_sorted(faces.begin(), faces.end()));
   for (const FaceId f : faces) {
     forget_pair(f);
     body_->edit_piece_of(f) = Piece{};
@@ -166,6 +168,7 @@ std::vector<FaceId> BodyEdit::add_walls(FaceAddition& addition, std::span<const 
     data.push_back(own);
   }
   const std::vector<FaceId> added = addition.add(body_->mesh, data);
+  KERF_ASSERT(added.size() == beside.size());
   body_->tree.add(mesh(), added);
   for (size_t i = 0; i < added.size(); ++i) {
     const FaceId f = added[i];
@@ -228,6 +231,7 @@ void BodyEdit::flip_edge(FaceId f, VertexId from, VertexId to) {
 
 void BodyEdit::move_vertex(VertexId v, const Vec3& to, const Mesh::Star& around) {
   KERF_ASSERT(around.alone);
+  KERF_ASSERT(!around.faces.empty());
   const Vec3 origin = body_->middle();
   std::vector<Triangle> before;
   for (const FaceId f : around.faces) {
@@ -292,6 +296,7 @@ size_t BodyEdit::separate(size_t most, EditPolicy policy) {
 }
 
 BodyDelta BodyEdit::take_delta(BodyId id) {
+  KERF_ASSERT(splits_.empty() && removed_.empty());
   BodyDelta delta;
   delta.body = id;
   sort_each_once(edited_);

@@ -36,8 +36,10 @@ BodyDelta move_components(BodyId id, Body& body, const std::map<uint32_t, uint32
     delta.relabelled.push_back(FaceId(f));
   }
   for (const auto& [component, label] : label_of) {
+    KERF_ASSERT(component < body.components.left.size() && label < body.pieces.size());
     const FaceCounts counts = body.components.left[component];
     Piece &from = body.pieces.edit(body.components.home[component]), &to = body.pieces.edit(label);
+    KERF_ASSERT(from.faces >= counts.faces);
     from.faces -= counts.faces;
     from.area -= counts.area;
     to.faces += counts.faces;
@@ -102,6 +104,7 @@ uint32_t label_around(const Body& body, const std::vector<Enclosed>& components,
 
 // Returns the remaining loaded components of faces that were copied out.
 LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
+  KERF_ASSERT(copy.live_faces() == faces.size());
   LoadedComponents own;
   if (body.components.left.empty()) return own;
   own.left = body.components.left;
@@ -207,6 +210,7 @@ BodyId detach(World& world, const PieceId& piece, uint32_t generation, Delta& de
   if (is_only_piece(world, piece)) return piece.body;
   const bool piece_goes = 2 * body.pieces[piece.label].faces <= body.mesh.live_faces();
   const std::vector<FaceId> going = body.faces_of(piece.label, piece_goes);
+  KERF_ASSERT(!going.empty() && going.size() < body.mesh.live_faces());
   const BodyId own = world.add(copy_out(body, going, piece.label, piece_goes), generation);
   BodyEdit(world.body(piece.body)).take_out(going);
   const bool renamed = name_after(world.body(piece_goes ? own : piece.body), piece.label);

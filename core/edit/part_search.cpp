@@ -1,6 +1,7 @@
 #include "core/edit/part_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "core/base/assert.h"
@@ -95,6 +96,7 @@ void PartSearch::start(Scope scope) {
   std::iota(search_.group_parent.begin(), search_.group_parent.end(), 0u);
   search_.front_parent = search_.group_parent;
   search_.fronts.resize(seeds);
+  KERF_ASSERT(search_.group.size() == seeds);
   for (uint32_t i = 0; i < seeds; ++i) reach(i, {search_.seed[i]});  // no two fronts meet: the seeds differ
 }
 
@@ -172,6 +174,7 @@ double PartSearch::half_of(const Replacement& replaced) const {
 
 // Marks a face as visited. One half of a green pair may not have been visited when the pair was split.
 void PartSearch::record_visited(FaceId f, uint32_t mark, double area) {
+  assert((mark & ~OpenSearch::kVisited) != 0);
   search_.mark.at(f.index) = mark | OpenSearch::kVisited;
   SearchFront& front = *search_.front_of(f);
   ++front.faces;
@@ -374,6 +377,7 @@ size_t PartSearch::take_turn(uint32_t front, size_t faces) {
 // Takes the oldest faces of the frontier, so that nearby fronts meet soon. A large front takes the newest
 // ones, which are adjacent in memory.
 void PartSearch::take_from(SearchFront& front, size_t faces) {
+  assert(front.next <= front.frontier.size());
   faces = std::min(faces, front.frontier.size() - front.next);
   const auto taken = static_cast<std::ptrdiff_t>(faces);
   if (front.visited >= kLarge) {

@@ -92,6 +92,7 @@ void PartSearch::assign_label(FaceId f, uint32_t label, SettleResult& result) {
 
 // Moves the moments of relabelled faces from their former pieces.
 void PartSearch::move_moments(std::span<const FaceId> faces) {
+  KERF_ASSERT(moved_from_.size() == faces.size());
   const std::span<const Triangle> triangles = walk_.triangles(faces);
   const Vec3 origin = body_.middle();
   AreaMoments *left = nullptr, *gained = nullptr;
@@ -209,6 +210,7 @@ namespace {
 
 // Returns the number of components removed entirely: clusters of removed faces without a live face.
 int64_t vanished_components(const Mesh& mesh, SeparationState& state) {
+  KERF_ASSERT(state.first_tie <= state.ties.size());
   TieClusters clusters(std::span(state.ties).subspan(state.first_tie), state.tie_place);
   const auto faces = clusters.faces();
   std::vector<bool> lives(faces.size());
@@ -307,6 +309,7 @@ void join_parts(Body& body, FaceId a, FaceId b) {
 
 void search_from(Body& body, std::span<const FaceId> faces) {
   KERF_ASSERT(is_settled(body));
+  KERF_ASSERT(std::ranges::all_of(faces, [&](FaceId f) { return body.mesh.is_live(f); }));
   SeparationState fresh;
   fresh.joints_requested = body.separation.joints_requested;
   fresh.ties = std::move(body.separation.ties);

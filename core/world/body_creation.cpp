@@ -24,6 +24,7 @@ Result<Body> load_body(std::string name, const std::filesystem::path& file, cons
 namespace {
 
 void sort_by_loaded_face(Remeshed& r, const PieceCopy& copy) {
+  KERF_ASSERT(r.origins.size() == r.triangles.size() && copy.loaded.size() == copy.faces.size());
   std::vector<uint32_t> order(r.triangles.size());
   std::iota(order.begin(), order.end(), uint32_t{0});
   const auto loaded = [&](uint32_t t) { return copy.loaded[r.origins[t].index]; };
@@ -148,6 +149,7 @@ void hand_down_heat(Body& made, const Body& body, const PieceCopy& copy, const R
 }  // namespace
 
 PieceCopy copy_piece(const Body& body, uint32_t label) {
+  KERF_ASSERT(label < body.pieces.size() && body.pieces[label].faces > 0);
   PieceCopy copy;
   copy.label = label;
   copy.faces = body.faces_of(label);

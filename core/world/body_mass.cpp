@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/mesh/face_batches.h"
 #include "core/mesh/measures.h"
@@ -171,6 +172,7 @@ struct FixedSums {
 
 void update_solid_mass(Body& body) {
   const LabelledSums sums(body);
+  KERF_ASSERT(sums.closed.size() == body.pieces.size());
   body.enclosed.grow_to(body.pieces.size());
   for (uint32_t label = 0; label < body.pieces.size(); ++label) {
     const EnclosedPiece piece = sums.piece(label, body.pieces[label]);
@@ -181,6 +183,7 @@ void update_solid_mass(Body& body) {
 const EnclosedPiece* enclosed_piece(const Body& body, uint32_t label) {
   if (!body.solid || label >= body.enclosed.size()) return nullptr;
   const EnclosedPiece& known = body.enclosed[label];
+  KERF_ASSERT(label < body.pieces.size());
   const Piece& piece = body.pieces[label];
   return known.faces > 0 && known.faces == piece.faces && known.area == piece.area ? &known : nullptr;
 }

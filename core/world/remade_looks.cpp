@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/measures.h"
@@ -16,6 +17,7 @@ class Transfer {
  public:
   Transfer(const Body& body, const PieceCopy& copy, const Remeshed& remeshed)
       : body_(body), looks_(*body.looks), remeshed_(remeshed) {
+    KERF_ASSERT(remeshed.origins.size() == remeshed.triangles.size());
     for (const FaceId origin : remeshed.origins)
       sources_.push_back(body.loaded_source(copy.faces[origin.index]));
     if (!looks_.has_corners()) return;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/base/assert.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/heat/conduction_solver.h"
@@ -178,6 +179,7 @@ void Body::count(FaceId f, int faces, double area) {
     counts.area += area;
   };
   FaceCounts &piece = pieces.edit(label(f)), &whole = edit_whole_of(f);
+  KERF_ASSERT(faces >= 0 || piece.faces >= static_cast<size_t>(-faces));
   add(piece);
   if (&whole != &piece) add(whole);
   OpenSearch& search = separation.search;
@@ -283,6 +285,7 @@ World& World::operator=(const World& other) {
 }
 
 void World::begin_change(bool only_adds) {
+  KERF_ASSERT(remembered_ == nullptr);
   remembered_ = std::make_unique<Change>();
   remembered_->situation_.begin(situation_);
   remembered_->slots_ = slots_.size();
@@ -331,6 +334,7 @@ void World::swap_slots(uint32_t a, uint32_t b) {
 }
 
 World::Change World::end_change() {
+  KERF_ASSERT(remembered_ != nullptr);
   Change change = std::move(*remembered_);
   remembered_.reset();
   first_editable_ = 0;
@@ -342,12 +346,14 @@ World::Change World::end_change() {
 }
 
 void World::exchange(Change& change) {
+  KERF_ASSERT(remembered_ == nullptr);
   change.situation_.exchange(situation_);
   change.is_undone_ ? redo(change) : undo(change);
   change.is_undone_ = !change.is_undone_;
 }
 
 void World::undo(Change& change) {
+  KERF_ASSERT(slots_.size() == change.slots_end_);
   for (BodyChange& c : change.edited_) c.exchange(slots_[c.slot].body);
   for (size_t i = change.exchanged_.size(); i-- > 0;)
     std::swap(slots_[change.exchanged_[i].first].body, slots_[change.exchanged_[i].second].body);
@@ -422,7 +428,10 @@ void step_heat(World& world, double seconds) {
   if (is_hot(world)) world.edit_energy().ahead += seconds;
 }
 
-void cool(World& world, double seconds) { flow(world, seconds - skip_ahead(world, seconds)); }
+void cool(World& world, double seconds) {
+  KERF_ASSERT(seconds >= 0);
+  flow(world, seconds - skip_ahead(world, seconds));
+}
 
 void cool_for_ticks(World& world, Ticks passed) {
   KERF_ASSERT(passed <= world.clock());

@@ -8,7 +8,9 @@ namespace kerf {
 
 ChartSweep::ChartSweep(std::span<const ChartVertex> vertices, std::span<const ChartEdge> edges, int64_t width)
     : vertices_(vertices), width_(width), first_(vertices.size() + 1), ending_(vertices.size()) {
+  KERF_ASSERT(width > 0);
   for (const ChartEdge& e : edges) {
+    KERF_ASSERT(std::max(e.from, e.to) < vertices.size());
     const ChartVertex &from = vertices[e.from], &to = vertices[e.to];
     KERF_ASSERT((from.x + e.dx - to.x) % width == 0);
     const bool forward = e.dx > 0 || (e.dx == 0 && to.y > from.y);

@@ -16,6 +16,8 @@ namespace kerf {
 
 Task<std::optional<PatchFault>> fault_of(const WallPatch& patch, std::span<const PatchSide> rim) {
   const size_t vertices = patch.rim.size() + patch.added.size();
+  const auto joins_rim = [&](const PatchSide& s) { return std::max(s.first, s.second) < patch.rim.size(); };
+  KERF_ASSERT(std::ranges::all_of(rim, joins_rim));
   const SideIndex sides(patch.faces, vertices);
   co_await yield_after(patch.faces.size() / 16);
   std::vector<PatchSide> at_rim(rim.begin(), rim.end());
@@ -232,6 +234,7 @@ class WallMaker {
 
   // Returns the winding number of the part around the end of a side, seen away from the beam.
   int winds_at(const Side& side, double depth, double sign) const {
+    KERF_ASSERT(!side.wall.places().empty());
     WallChart::Place place = side.wall.places().front();
     place.depth = depth;
     int winding = 0;
@@ -249,6 +252,7 @@ class WallMaker {
 
   // Returns nullopt if edges cross; `conflict` then holds vertices of these.
   Task<std::optional<ChartRegion::Winding>> untangle_side(Side& side, std::vector<uint32_t>& conflict) {
+    KERF_ASSERT(side.of_patch.size() == side.wall.placed().size());
     std::vector<Vec3> positions;
     for (const uint32_t i : side.of_patch) positions.push_back(at(i));
     RimInChart rim{side.wall.placed(), positions, std::move(side.wall.edges()), SideChart::kSize};
@@ -423,6 +427,7 @@ class WallMaker {
   }
 
   void append(std::vector<uint32_t> of_patch, const WallMesh& wall) {
+    KERF_ASSERT(of_patch.size() <= wall.vertices().size());
     for (size_t i = of_patch.size(); i < wall.vertices().size(); ++i)
       of_patch.push_back(add(wall.vertices()[i].at));
     append_faces(of_patch, wall.triangles());

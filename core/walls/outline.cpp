@@ -38,6 +38,7 @@ OutlinePiece line(Vec2 from, Vec2 to, uint32_t side) {
 }
 
 OutlinePiece arc(Vec2 centre, double radius, double angle, double turn, uint32_t side) {
+  KERF_ASSERT(radius > 0 && turn > 0);
   return {on_circle(centre, radius, angle),
           on_circle(centre, radius, angle + turn),
           centre,
@@ -179,6 +180,7 @@ class MoveTree {
 
   // O(n log n).
   explicit MoveTree(std::span<const DiscMove> moves) {
+    KERF_ASSERT(!moves.empty());
     nodes_.push_back({0, static_cast<uint32_t>(moves.size()), 0, {}});
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
       Node& node = nodes_[i];
@@ -270,6 +272,7 @@ class Coverage {
   // remaining parts are computed.
   void append_uncovered(const OutlinePiece& side, std::vector<OutlinePiece>& out) {
     const uint32_t own = side.side / 4;
+    KERF_ASSERT(own < moves_.size());
     Uncovered left(side, kMinPiece * radius_);
     if (own + 1 < moves_.size()) cover(left, side, own + 1);
     if (own > 0) cover(left, side, own - 1);

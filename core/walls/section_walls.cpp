@@ -170,6 +170,7 @@ class SectionMaker {
     for (const RimSide& side : patch.sides) rim.emplace_back(numbered(side.to), numbered(side.from));
     std::vector<PatchSide> border = rim;
     const std::vector<uint32_t> rings = add_rings(loops, patch, at, border);
+    KERF_ASSERT(at.size() == patch.rim.size() + patch.added.size() / 2);
     auto faces = triangulate_section(at, border, plane_.normal);
     if (!faces) return std::nullopt;
     patch.faces = std::move(*faces);
@@ -239,6 +240,7 @@ class SectionMaker {
   }
 
   SectionWalls clip_ears(const SectionLoop& loop) const {
+    KERF_ASSERT(loop.sides.size() >= 3);
     SectionWalls made;
     WallPatch& patch = made.patch;
     std::vector<Vec2> points;

@@ -265,6 +265,7 @@ std::pair<size_t, double> WallChart::slice_below(double depth) const {
 // The distance from the axis stays the same along the beam. Round an axis, arcs are compared as angles.
 std::pair<Vec2, Vec2> WallChart::along_beam(const BeamPencil::Seen& seen, size_t below, double share) const {
   const Slice &a = slices_[below], &b = slices_[below + 1];
+  KERF_ASSERT(a.guides.moves.size() == b.guides.moves.size());
   const double around = pencil_.around(seen.depth);
   const auto scale = [&](const Slice& slice) { return Vec2(1, around > 0 ? around / slice.around : 1); };
   const Vec2 scale_a = scale(a), scale_b = scale(b);
@@ -341,6 +342,7 @@ Vec3 WallChart::point_at(const Place& place) const {
 }
 
 std::vector<double> WallChart::corners(uint32_t curve, double turn) const {
+  KERF_ASSERT(curve < curves() && turn > 0);
   const Curve& own = slices_.front().curves[curve];
   std::vector<double> places;
   for (size_t i = 0; i < own.outline.pieces.size(); ++i) {

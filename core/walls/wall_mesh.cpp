@@ -175,6 +175,7 @@ WallMesh::WallMesh(std::vector<Vertex> vertices, std::span<const ChartTriangle> 
       deviation_(std::move(deviation)),
       most_(most),
       known_(triangles.size(), kUnknown) {
+  KERF_ASSERT(width > 0 && most >= 0);
   vertices_.reserve(kRoom * vertices_.size());
   triangles_.reserve(kRoom * triangles.size());
   x_.reserve(kRoom * triangles.size());
@@ -439,6 +440,7 @@ Task<Done> WallMesh::refine(const Middle& middle) {
 }
 
 std::optional<uint32_t> WallMesh::edge_below(double length) const {
+  KERF_ASSERT(length > 0);
   for (uint32_t t = 0; t < triangles_.size(); ++t) {
     for (uint32_t i = 0; i < 3; ++i) {
       const Vec3 way = vertices_[triangles_[t][(i + 1) % 3]].at - vertices_[triangles_[t][i]].at;

@@ -64,6 +64,7 @@ class RimGrouping {
 
   // Precondition: the grouping was run.
   std::vector<std::vector<RimSide>> take_groups() {
+    KERF_ASSERT(together_ && sides_.size() == rim_.size());
     std::vector<std::vector<RimSide>> groups;
     std::map<uint32_t, size_t> number;
     for (size_t i = 0; i < rim_.size(); ++i) {
@@ -92,6 +93,7 @@ class RimGrouping {
       ChartSide side;
       side.from = index(s.to);
       side.to = index(s.from);
+      KERF_ASSERT(s.face.index < part_of_face_.size());
       side.part = part_of_face_[s.face.index];
       KERF_ASSERT(side.part != kNoPart);
       place(side, near[side.from], near[side.to]);
@@ -264,6 +266,7 @@ std::optional<size_t> closing_edge(const std::vector<ChartEdge>& edges, const Pa
 }
 
 void cut(std::vector<ChartEdge>& edges, const Passage& p) {
+  KERF_ASSERT(p.in != p.out && std::max(p.in, p.out) < edges.size());
   std::vector<size_t> removed{p.out};
   if (const auto third = closing_edge(edges, p)) {
     removed.insert(removed.end(), {p.in, *third});
@@ -395,6 +398,7 @@ uint32_t WallSide::add_vertex(const WallChart::Place& place) {
 }
 
 void WallSide::add_edge(uint32_t from, uint32_t to) {
+  KERF_ASSERT(std::max(from, to) < placed_.size());
   edges_.push_back({from, to, SideChart::x_between(placed_[from], placed_[to])});
 }
 
@@ -417,6 +421,7 @@ void WallSide::close_all_around(double depth, bool is_high) {
   std::vector<uint32_t> ring;
   for (const double around : chart_->corners(curve_, kTurnOfEnd))
     ring.push_back(add_vertex({curve_, around, depth}));
+  KERF_ASSERT(!ring.empty());
   if (!is_high) std::reverse(ring.begin(), ring.end());
   for (size_t i = 0; i < ring.size(); ++i) add_end_edge(ring[i], ring[(i + 1) % ring.size()], is_high);
 }

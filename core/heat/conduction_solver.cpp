@@ -93,6 +93,7 @@ HeatRegion::HeatRegion(const Mesh& mesh, const FaceHeat& heat, const Substance& 
       node_of_(memory.node_of),
       geometry_(geometry) {
   KERF_ASSERT(nodes_.empty());
+  KERF_ASSERT(thickness > 0);
   if (node_of_.size() < mesh.face_slots()) node_of_.resize(mesh.face_slots(), kNone);
 }
 
@@ -142,6 +143,7 @@ double HeatRegion::conductance(const Node& a, const Node& b, const Edge& edge) c
 }
 
 void HeatRegion::surround(uint32_t node) {
+  assert(node < size());
   surrounded_.resize(nodes_.size(), 0);
   if (surrounded_[node] != 0) return;
   surrounded_[node] = 1;
@@ -180,6 +182,7 @@ double HeatSolver::row_times(size_t row, double diagonal, const std::vector<doub
 HeatSolver::Norms HeatSolver::begin(const std::vector<HeatRegion::Link>& links,
                                     const HeatEquations& equations, const std::vector<double>& x) {
   const size_t count = x.size();
+  KERF_ASSERT(equations.diagonal.size() == count && equations.right.size() == count);
   sort_by_rows(links, equations.seconds, count);
   residual_.resize(count);
   inverse_.resize(count);
@@ -314,6 +317,7 @@ void HeatStep::assemble() {
 }
 
 double HeatStep::advance(double seconds, double least) {
+  KERF_ASSERT(seconds > 0 && least >= 0);
   equations_.seconds = std::min(seconds, std::max(least, accurate_time()));
   begin_nodes(0);
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -381,6 +385,7 @@ bool HeatStep::reach_further() {
 
 // The sums over all nodes balance for the solution times a factor near 1, within the solver's tolerance.
 void HeatStep::take_energies() {
+  KERF_ASSERT(!rises_.empty() && rises_.size() == region_.size());
   auto& nodes = region_.nodes();
   const double hottest = kAmbient + *std::max_element(rises_.begin(), rises_.end());
   const double most = enthalpy_at(substance_, hottest) + substance_.latent;

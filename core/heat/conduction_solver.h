@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/heat/face_heat.h"
 
 namespace kerf {
@@ -236,6 +237,7 @@ struct HeatMemory {
 class KeptHeatGeometry {
  public:
   explicit KeptHeatGeometry(HeatMemory& memory) : memory_(memory) {
+    KERF_ASSERT(!memory.keeps_geometry);
     memory_.geometry.clear();
     memory_.keeps_geometry = true;
   }

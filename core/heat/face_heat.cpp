@@ -107,6 +107,7 @@ double store(const HotBody& body, const HeatRegion& region) {
 double conduct(Mesh& mesh, const FaceHeat& heat, const Substance& substance, double thickness,
                const HeatLoss& loss, double seconds, HeatMemory& memory) {
   KERF_ASSERT(thickness > 0 && seconds >= 0);
+  KERF_ASSERT(loss.convection >= 0 && substance.density > 0);
   std::vector<FaceId> warm;
   mesh.columns().for_each_set(heat.energy, [&](FaceId f) { warm.push_back(f); });
   if (warm.empty() || seconds == 0) return 0;

@@ -37,6 +37,7 @@ double peclet_per_speed(const LumpedCut& cut) {
 
 // Returns the power that the cut takes per thickness (W/m).
 double power_per_thickness(const LumpedCut& cut, double speed) {
+  KERF_ASSERT(cut.axis >= 1);
   const Substance& s = cut.substance;
   const double burning = cut.oxygen ? burning_heat(s, speed) : 0;
   const double removal = cut.kerf * speed * s.density * (enthalpy_of_removal(s) / cut.axis - burning);

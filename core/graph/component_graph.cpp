@@ -78,6 +78,7 @@ ComponentGraph component_graph(const World& world, std::span<const PieceId> piec
 GraphLinks::GraphLinks(size_t nodes, std::span<const ComponentGraph::Edge> edges) {
   first_.assign(nodes + 1, 0);
   for (const auto& edge : edges) {
+    KERF_ASSERT(edge[0] != edge[1] && std::max(edge[0], edge[1]) < nodes);
     for (const uint32_t end : edge) ++first_[end + 1];
   }
   for (size_t i = 0; i < nodes; ++i) first_[i + 1] += first_[i];
@@ -363,6 +364,7 @@ class RemovedEdges {
   }
 
   void link(uint32_t a, uint32_t b) {
+    KERF_ASSERT(std::max(a, b) < linked_.size());
     if (has(a, b)) return;
     linked_[a].push_back(b);
     linked_[b].push_back(a);
@@ -510,6 +512,7 @@ class LoopFinder {
 }  // namespace
 
 GraphLinks CutGraph::live_links() const {
+  KERF_ASSERT(live <= nodes.size());
   Edges both_live;
   std::copy_if(edges.begin(), edges.end(), std::back_inserter(both_live),
                [&](const ComponentGraph::Edge& e) { return e[1] < live; });
@@ -521,6 +524,7 @@ CutGraph cut_graph(const World& world, const CutFaces& removed) {
   for (const auto& [id, cut] : removed) {
     if (world.contains(id)) add_removed(graph, id, world.body(id), cut);
   }
+  KERF_ASSERT(graph.middles.size() == graph.nodes.size());
   sort_each_once(graph.edges);
   return graph;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -47,6 +48,7 @@ class GraphLinks {
 
   size_t nodes() const { return first_.empty() ? 0 : first_.size() - 1; }
   std::span<const uint32_t> of(uint32_t node) const {
+    assert(node < nodes());
     return {linked_.data() + first_[node], linked_.data() + first_[node + 1]};
   }
 

@@ -46,6 +46,7 @@ class Cells {
 
   // Covers all places by cells of at least this width. Precondition: there is a place, and width > 0.
   Cells(const GraphLayout& places, double width) : low_(places[0]) {
+    KERF_ASSERT(!places.empty() && width > 0);
     Vec2 high = places[0];
     for (const Vec2& p : places) {
       low_ = glm::min(low_, p);
@@ -85,7 +86,9 @@ class Forces {
       : graph_(graph),
         places_(places),
         force_(places.size()),
-        spring_(2 / std::sqrt(static_cast<double>(places.size()))) {}
+        spring_(2 / std::sqrt(static_cast<double>(places.size()))) {
+    KERF_ASSERT(places.size() == graph.nodes.size());
+  }
 
   // Moves each node by its force, at most by `farthest`.
   void turn(double farthest) {
@@ -128,6 +131,7 @@ class Ring {
  public:
   explicit Ring(const std::vector<Vec3>& removed)
       : middle_(mean_of(removed)), directions_(principal_axes(removed, middle_)) {
+    KERF_ASSERT(!removed.empty());
     for (const Vec3& p : removed) {
       turns_.push_back(doubled_area(p));
       radius_ += glm::length(flat(p)) / static_cast<double>(removed.size());
@@ -283,6 +287,7 @@ class Selection {
 };
 
 std::vector<uint32_t> kinds_of(const CutGraph& graph, const CutTraversal& traversal) {
+  KERF_ASSERT(traversal.set.size() == graph.live && graph.live <= graph.nodes.size());
   std::vector<uint32_t> kind(graph.nodes.size(), kRemovedKind);
   std::copy(traversal.set.begin(), traversal.set.end(), kind.begin());
   return kind;
@@ -323,6 +328,7 @@ class NodeClustering {
   void divide(const std::vector<uint32_t>& nodes, size_t most) {
     const Selection selection(graph_, nodes);
     const std::vector<uint32_t> clusters = selection.clusters(kind_, most);
+    KERF_ASSERT(clusters.size() == selection.nodes().size());
     const uint32_t first = next_;
     for (size_t i = 0; i < clusters.size(); ++i) {
       of_[selection.nodes()[i]] = first + clusters[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstdlib>
 #include <utility>
 
@@ -59,6 +60,7 @@ Result<ShadowCaster> ShadowCaster::build(const Mesh& mesh, const FloatFrame& fra
 }
 
 bool ShadowCaster::add_all(const Mesh& mesh, Labels labels, const Progress* progress) {
+  KERF_ASSERT(face_slots() == 0 && edge_slots() == 0);
   const uint32_t faces = mesh.face_slots();
   vertices_.reserve(mesh.vertex_slots());
   edges_.reserve(faces + faces / 2);
@@ -137,6 +139,7 @@ bool ShadowCaster::stands_still(const Mesh& mesh, uint32_t face) const {
 
 // Appends the face to `out` if its label changes.
 void ShadowCaster::record_label(uint32_t face, uint32_t label, std::vector<Relabelled>& out) const {
+  assert(there(face));
   const uint32_t from = vertices_[corner_[3 * face]].piece;
   if (from != label) out.push_back({face, from, label});
 }
@@ -214,6 +217,7 @@ uint32_t ShadowCaster::known_vertex(const glm::vec3& at, uint32_t piece) const {
 }
 
 uint32_t ShadowCaster::find_side_edge(uint32_t from, uint32_t to) {
+  assert(from != to);
   const bool reversed = comes_before(vertices_[to].at, vertices_[from].at);
   const uint32_t low = reversed ? to : from, high = reversed ? from : to;
   const auto next = static_cast<uint32_t>(edges_.size());
@@ -241,6 +245,7 @@ void ShadowCaster::add(const Mesh& mesh, uint32_t face, Labels labels) {
 }
 
 void ShadowCaster::put(uint32_t face, const std::array<uint32_t, 3>& c) {
+  assert(face < face_slots() && !there(face));
   copies_.clear();
   if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
   for (uint32_t i = 0; i < 3; ++i) {
@@ -258,6 +263,7 @@ void ShadowCaster::take_away(uint32_t face) {
   find_copies(face);
   for (uint32_t i = 0; i < 3; ++i) {
     unlink(3 * face + i);
+    assert(vertices_[corner_[3 * face + i]].uses > 0);
     --vertices_[corner_[3 * face + i]].uses;
     corner_[3 * face + i] = kNone;
   }
@@ -267,6 +273,7 @@ void ShadowCaster::take_away(uint32_t face) {
 }
 
 void ShadowCaster::find_copies(uint32_t face) {
+  assert(there(face));
   uint32_t shortest = sides_[3 * face].edge >> 1;
   for (uint32_t i = 1; i < 3; ++i) {
     const uint32_t e = sides_[3 * face + i].edge >> 1;
@@ -299,6 +306,7 @@ void ShadowCaster::link(uint32_t side, uint32_t edge_and_way) {
 
 void ShadowCaster::unlink(uint32_t side) {
   Edge& edge = edges_[sides_[side].edge >> 1];
+  KERF_ASSERT(edge.faces > 0);
   uint32_t* link = &edge.first;
   while (*link != side) {
     KERF_ASSERT(*link != kNone);

@@ -37,6 +37,7 @@ class LabelGrid {
 
   // Spreads the labels to all other cells, breadth first.
   void flood() {
+    KERF_ASSERT(!reached_.empty());
     const std::array<uint32_t, 3> stride{1, size_[0], size_[0] * size_[1]};
     for (size_t next = 0; next < reached_.size(); ++next) {
       const uint32_t from = reached_[next];
@@ -112,6 +113,7 @@ std::vector<Component> components_of(const Body& body, const std::vector<uint32_
   });
   std::vector<Component*> largest(body.pieces.size());
   for (Component& c : all) {
+    KERF_ASSERT(c.piece < body.pieces.size());
     Component*& of_piece = largest[c.piece];
     if (!of_piece || c.area > of_piece->area) of_piece = &c;
   }
@@ -162,6 +164,7 @@ class Centres {
     }
   }
   void move(const Component& c, uint32_t to) {
+    KERF_ASSERT(std::max(c.piece, to) < sums_.size());
     sums_[c.piece].area -= c.area;
     sums_[c.piece].moment -= c.moment;
     sums_[to].area += c.area;
@@ -278,6 +281,7 @@ bool is_near(const Vec3& point, double radius, const Triangle& t) {
 
 void look_through(BodyId id, const Body& body, const Joints& joints, const Carriers& carriers,
                   std::vector<SideState>& sides) {
+  KERF_ASSERT(sides.size() == 2 * joints.all.size());
   for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
     const FaceId f(slot);
     if (!body.mesh.is_live(f)) continue;
@@ -497,6 +501,7 @@ std::vector<FaceId> regrouped(const Mesh& mesh, const PieceGroups* before, const
 }
 
 ConnectedPart part_of(BodyId id, const Body& body, FaceId f) {
+  KERF_ASSERT(body.mesh.is_live(f));
   const uint32_t label = body.mesh.data(f).piece;
   return {id, label, body.components.at_home(body.loaded_base(f), label)};
 }
@@ -535,6 +540,7 @@ std::vector<HeldJoint> held_joints(const World& world, const LoadedBodies& of) {
 }
 
 bool is_loaded_part(const Body& body, uint32_t label) {
+  KERF_ASSERT(label < body.pieces.size());
   return label != 0 && body.pieces[label].faces > 0 && body.pieces[label].cut_off.faces == 0;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/mesh/measures.h"
 
@@ -48,6 +49,7 @@ class CarrierSearch {
     }
     std::sort(side.faces.begin(), side.faces.end());
     side.faces.erase(std::unique(side.faces.begin(), side.faces.end()), side.faces.end());
+    KERF_ASSERT(!side.faces.empty());
     return side;
   }
 

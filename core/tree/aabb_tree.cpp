@@ -69,6 +69,7 @@ void AabbTree::remove(FaceId f) {
 }
 
 void AabbTree::add(const Mesh& mesh, std::span<const FaceId> faces) {
+  KERF_ASSERT(faces.empty() || leaf_count_ > 0);
   add_faces(store_, mesh, faces);
   for (const FaceId f : faces) {
     for (const Vec3& p : mesh.triangle(f)) enlarge_bounds(p);
@@ -103,6 +104,7 @@ void AabbTree::update(const Mesh& mesh, std::vector<FaceId> faces) {
   if (added.size() + moved.size() > leaf_count_ / 2) return rebuild(mesh, store_.frame);
   refit(mesh, moved);
   add(mesh, added);
+  KERF_ASSERT(leaf_count_ == mesh.live_faces());
   fit_bounds(mesh);
 }
 
@@ -283,6 +285,7 @@ std::vector<AabbTree::Box> AabbTree::path_to(const Mesh& mesh, FaceId f) const {
 // A face reaches a side if its floats do: rounding may count too many, never too few.
 void AabbTree::loosen_bounds(FaceId f) {
   const uint32_t place = store_.place(f);
+  KERF_ASSERT(place != kNoIndex);
   const FaceBlock& block = store_.blocks[place / kBlockWidth];
   const uint32_t l = place % kBlockWidth;
   const Float4 low = store_.frame.to_floats(bounds_.min), high = store_.frame.to_floats(bounds_.max);
@@ -315,6 +318,7 @@ void AabbTree::fit_bounds(const Mesh& mesh) {
 
 // Precondition: the tree is not empty.
 const FaceBlock& AabbTree::any_block() const {
+  KERF_ASSERT(store_.root != kNoIndex);
   Child child = Child::node(store_.root);
   while (!child.is_block()) {
     const auto& children = store_.nodes[child.index()].child;

@@ -199,6 +199,7 @@ class TreeBuilder {
   // Returns false if it was stopped.
   bool run() {
     if (!gather()) return false;
+    KERF_ASSERT(primitives_.size() == mesh_.live_faces());
     if (primitives_.empty()) return true;
     Part whole;
     whole.range.items = primitives_;
@@ -252,6 +253,7 @@ class TreeBuilder {
       return best;
     }
     void split(PrimitiveRange* child, TreeShape shape) {
+      assert(count < kNodeWidth);
       const RangePair parts = shape.halved ? split_in_half(*child) : split_binned(*child, shape.block);
       *child = parts.left;
       range[count++] = parts.right;
@@ -327,6 +329,7 @@ class TreeBuilder {
   }
 
   uint32_t add_block(Part& part, const PrimitiveRange& range, uint32_t parent, uint32_t slot) {
+    assert(!range.items.empty() && range.items.size() <= kBlockWidth);
     part.blocks.push_back({static_cast<uint32_t>(range.items.data() - primitives_.data()),
                            static_cast<uint32_t>(range.items.size()), parent, slot});
     return static_cast<uint32_t>(part.blocks.size() - 1);
@@ -466,9 +469,11 @@ RangePair split_binned(const PrimitiveRange& range, uint32_t block) {
   const Plane plane = BinSweep(range, binning, block).best();
   if (plane.axis < 0) return split_in_half(range);
   const Int4 bin = all_lanes(plane.bin);
-  return partition(range, [&](const Primitive& p) {
+  RangePair parts = partition(range, [&](const Primitive& p) {
     return (mask_bits(binning.bins_of(p) < bin) >> plane.axis & 1) != 0;
   });
+  KERF_ASSERT(!parts.left.items.empty() && !parts.right.items.empty());
+  return parts;
 }
 
 bool build_tree(TreeStore& store, const Mesh& mesh, const TreeFrame& frame, const Progress* progress,

@@ -112,6 +112,7 @@ uint32_t block_that_grows_least(const TreeStore& tree, uint32_t n, const FloatBo
         least = cost;
       }
     }
+    assert(!best.none());
     if (best.is_block()) return best.index();
     n = best.index();
   }

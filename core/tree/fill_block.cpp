@@ -71,6 +71,7 @@ void BlockFiller::start(size_t items) {
 // Moves the items of the first half of `parts` equal parts, in the order along the longest axis, to the
 // front. Returns their number.
 size_t BlockFiller::divide(std::span<uint32_t> items, size_t parts) {
+  assert(parts >= 2 && items.size() >= parts);
   FloatBox centres;
   for (const uint32_t i : items) centres.add(centres2_[i], centres2_[i]);
   const int axis = longest_side(centres);
@@ -118,6 +119,7 @@ void BlockFiller::close_blocks(uint32_t first, std::span<uint32_t> faces) {
 }
 
 void BlockFiller::close_block(uint32_t block, std::span<const uint32_t> faces) {
+  assert(!faces.empty() && faces.size() <= kBlockWidth);
   FloatBox box;
   for (uint32_t lane = 0; lane < faces.size(); ++lane) {
     const TreeFace& face = faces_[faces[lane]];
@@ -147,6 +149,7 @@ void BlockFiller::gather_in_nodes() {
 
 // Hangs the children in a slot and in free slots of the same node.
 void BlockFiller::hang(uint32_t parent, uint32_t slot) {
+  assert(!children_.empty() && children_.size() <= kNodeWidth);
   FloatBox all;
   for (const Boxed& c : children_) all.add(c.box);
   unsigned free = free_slots(tree_.nodes[parent]);
@@ -175,6 +178,7 @@ void BlockFiller::hang(uint32_t parent, uint32_t slot) {
 // Divides the children, at most twice the width of a node, among a node and a new one in a free slot of the
 // node above.
 void BlockFiller::divide_node(uint32_t node, uint32_t above, uint32_t free_slot) {
+  assert(children_.size() >= 2 && children_.size() <= 2 * kNodeWidth);
   start(children_.size());
   for (const Boxed& c : children_) centres2_.push_back(c.box.low + c.box.high);
   const size_t first = divide(items_, 2);

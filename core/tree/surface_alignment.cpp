@@ -79,6 +79,7 @@ struct NormalEquations {
 
   // Solves the damped system by Cholesky's method. Precondition: damping > 0.
   std::array<double, 6> solve(double damping) const {
+    KERF_ASSERT(damping > 0);
     auto m = matrix;
     double trace = 0;
     for (size_t i = 0; i < 6; ++i) trace += matrix[i][i];
@@ -107,6 +108,7 @@ class Registration {
  public:
   Registration(std::span<const Vec3> samples, const Surface& surface)
       : samples_(samples), surface_(surface), centre_(mean_of(samples)) {
+    KERF_ASSERT(!samples.empty());
     for (const Vec3& p : samples) size_ = std::max(size_, glm::length(p - centre_));
     if (size_ == 0) size_ = 1;
   }
@@ -156,6 +158,7 @@ class Registration {
 
   // The mean of the squared distances, relative to the size.
   double cost_of(const State& state) const {
+    KERF_ASSERT(state.nearest.size() == samples_.size());
     double sum = 0;
     for (const PointOnFace& p : state.nearest) sum += p.distance2 / (size_ * size_);
     return sum / static_cast<double>(state.nearest.size());

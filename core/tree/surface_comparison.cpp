@@ -84,6 +84,7 @@ std::vector<double> distances(std::span<const Vec3> points, const Surface& surfa
 
 SurfaceComparison::Signed signed_distances(std::span<const double> samples,
                                            std::span<const double> vertices) {
+  KERF_ASSERT(!samples.empty() && !vertices.empty());
   SurfaceComparison::Signed all;
   const auto [low, high] = std::ranges::minmax(samples);
   const auto [low_vertex, high_vertex] = std::ranges::minmax(vertices);
@@ -126,6 +127,7 @@ std::vector<Vec3> sample_surface(const Mesh& mesh, size_t count) {
 Result<SurfaceComparison> compare_surfaces(const Surface& a, const Surface& b, bool closed,
                                            const RigidMotion& motion, const Progress* progress) {
   KERF_ASSERT(a.mesh.live_faces() > 0 && b.mesh.live_faces() > 0);
+  KERF_ASSERT(b.tree.leaf_count() == b.mesh.live_faces());
   const std::vector<Vec3> points = sample_surface(a.mesh, SurfaceComparison::kSamples);
   const std::vector<Vec3> corners = used_vertices(a.mesh);
   ProgressShares shares(progress);

@@ -125,6 +125,7 @@ void TreeStore::put(const TreeFace& face, uint32_t block, uint32_t lane) {
 }
 
 bool TreeStore::holds(const TreeFace& face, uint32_t block, uint32_t lane) const {
+  assert(lane < kBlockWidth);
   const FaceBlock& b = blocks[block];
   if (b.face[lane] != face.face.index) return false;
   const auto same_corner = [&](int own, int given) {
@@ -202,6 +203,7 @@ void TreeStore::set_root_box(const FloatBox& box) {
 size_t TreeStore::bytes() const { return nodes.bytes() + blocks.bytes() + places_.bytes(); }
 
 void TreeStore::empty_slot(uint32_t node, uint32_t slot) {
+  assert(slot < kNodeWidth);
   WideNode& n = nodes.edit(node);
   n.child[slot] = Child{};
   set_slot_box(node, slot, FloatBox{});

@@ -183,9 +183,11 @@ void Replay::compare() {
   }
 }
 
-// Bodies move differently in the last bits on another kind of machine.
+// Bodies move differently in the last bits on another kind of machine. Before the first history step, and
+// after all were undone, none has moved.
 bool Replay::takes_bodies(const StateMark& mark) {
   if (mark.bodies.empty() || mark.machine == machine_kind()) return false;
+  if (document_.history().position() == 0) return false;
   other_machine_ = mark.machine;
   document_.set_states(mark.bodies, mark.pairs);
   return true;

@@ -264,6 +264,20 @@ TEST_F(BodiesInTime, replay_from_another_machine_restores_body_poses) {
   }
 }
 
+TEST_F(BodiesInTime, replay_reports_a_mark_with_bodies_before_the_first_command) {
+  Journal journal;
+  StateMark& mark = journal.marks.emplace_back();
+  mark.hash = state_hash(world()) + 1;
+  mark.machine = "another one";
+  mark.bodies.push_back({world().ids().front(), {{0, 1, 0}}, {}});
+  Document again(made_world());
+  Replay replay(journal, again);
+  EXPECT_TRUE(replay.run({}));
+  EXPECT_TRUE(replay.difference());
+  EXPECT_EQ(replay.other_machine(), "");
+  EXPECT_EQ(state_hash(again.world()), state_hash(world()));
+}
+
 TEST_F(BodiesInTime, save_points_with_bodies_round_trip_exactly) {
   cut(0.1);
   apply(Play{});

@@ -105,7 +105,7 @@ Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& option
   renderer->show_bodies_ahead(document.world());
   renderer->spread(document.world(), options.spread);
   std::optional<BeamPicture> drawn;
-  if (options.beam && beam) {
+  if (options.beam && beam && document.history().last_cut()) {
     const double far =
         glm::length(renderer->view().eye - beam->origin) + document.world().bounds().diagonal();
     drawn = picture_of_beam(document.world(), document.history().last_settings(), *beam, far);

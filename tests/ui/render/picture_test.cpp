@@ -4,6 +4,9 @@
 
 #include <unistd.h>
 
+#include "core/document/commands.h"
+#include "core/document/journal.h"
+#include "core/document/stroke_path.h"
 #include "tests/support/made_meshes.h"
 #include "ui/gl/image.h"
 
@@ -34,12 +37,12 @@ Scene scene_of(const Soup& soup) {
   return scene;
 }
 
-Image render(Scene scene, PictureOptions options = {}) {
+Image render(Scene scene, PictureOptions options = {}, Journal journal = {}) {
   options.width = kPictureWidth;
   options.height = kPictureHeight;
   const auto file =
       std::filesystem::temp_directory_path() / ("kerf_picture_" + std::to_string(getpid()) + ".png");
-  const Status drawn = render_picture({std::move(scene), {}}, options, file);
+  const Status drawn = render_picture({std::move(scene), std::move(journal)}, options, file);
   EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
   const Image image{read_png(file).value_or(Pixels{})};
   std::filesystem::remove(file);
@@ -90,6 +93,17 @@ TEST(Picture, a_hole_shows_the_background) {
   scene.strokes = {stroke_at_the_middle(0.3)};
   const Image image = render(std::move(scene), from_the_front());
   EXPECT_LT(difference(image.at_part(0.5, 0.5), image.at_part(0.02, 0.5)), 20);  // the rim glows into it
+}
+
+TEST(Picture, shows_no_beam_of_a_stroke_that_was_undone_after_a_while) {
+  const Scene scene = scene_of(test::sphere(24, 32, 1));
+  Journal journal;
+  journal.commands = scene_stroke_commands(stroke_at_the_middle(0.1), 2);
+  journal.commands.emplace_back(AdvanceTime{10});
+  journal.commands.emplace_back(Undo{});
+  PictureOptions options = from_the_front();
+  options.beam = true;
+  EXPECT_LT(mean_difference(render(scene, options), render(scene, options, std::move(journal))), 1);
 }
 
 TEST(Picture, the_rim_of_a_cut_is_brighter_and_warmer_than_paint) {

@@ -117,6 +117,7 @@ bool BeamQueue::holds(size_t step) const {
 }
 
 void BeamQueue::push(Entry entry) {
+  KERF_ASSERT(entry.count > 0);
   KERF_ASSERT(empty() || (entries_.empty() ? ready_step_ : entries_.back().step) <= entry.step);
   size_ += entry.count;
   if (entry.in_time()) in_time_ += entry.count;
@@ -198,10 +199,12 @@ std::vector<BeamMove> BeamQueue::begin_moves(const World& world, size_t most) {
   }
   std::vector<BeamMove> moves;
   for (size_t i = 0; i < std::min(most, ready_.size()); ++i) moves.push_back(ready_[i].move);
+  KERF_ASSERT(!moves.empty());
   return moves;
 }
 
 void BeamQueue::begin_move(const Entry& entry, std::span<const BeamMove> parts) {
+  KERF_ASSERT(!parts.empty() && entry.share > 0);
   const size_t kept = parts_of(entry.share, parts.size());
   std::vector<BeamMove>& path = entry.stroke->path;
   const bool whole = kept == parts.size(), straight = is_straight(entry.move);
@@ -263,6 +266,7 @@ bool BeamQueue::stop_move(Entry& move, double moves, std::deque<Entry>& kept) {
 }
 
 void BeamQueue::stop_ticks(Entry ticks, Ticks on, std::deque<Entry>& kept) {
+  KERF_ASSERT(on <= ticks.count);
   const Ticks off = ticks.count - on;
   Entry dark = ticks;
   dark.stroke = nullptr;

@@ -45,6 +45,7 @@ using Kind = HistoryStep::Kind;
 
 void CommandQueue::enqueue(size_t step, const Command& command) {
   const auto move_to = [&](const BeamAt& next) {
+    KERF_ASSERT(drawn_ != nullptr);
     const BeamMove move{drawn_->beam.pose, next.pose, next.time - drawn_->beam.time};
     if (!drawn_->given_up) pending_.push_move(step, drawn_, move, world_);
     drawn_->beam = next;
@@ -94,6 +95,7 @@ std::optional<StopStroke> CommandQueue::stop_here() const {
 // Immediate commands ---------------------------------------------------------------------------------------
 
 Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* progress) {
+  KERF_ASSERT(pending_.empty() && !step.commands().empty());
   close_and_trim();
   step.begin(history_.window() > 0);
   recorder_.open(world_, at, history_.window() > 0, std::holds_alternative<AddMesh>(step.commands().front()));
@@ -143,6 +145,7 @@ Delta CommandQueue::redo(size_t step) {
 }
 
 Delta CommandQueue::cut_again() {
+  KERF_ASSERT(history_.position() >= 2);
   const size_t step = history_.position() - 1, before = step - 1;
   pending_.drop(before);
   if (recorder_.step() == before) close();
@@ -184,6 +187,7 @@ Delta CommandQueue::run_again() {
 }
 
 std::optional<World> CommandQueue::copy_before(size_t base) {
+  KERF_ASSERT(base <= history_.position());
   const std::optional<size_t> open = recorder_.step();
   close();
   World before = world_;
@@ -205,6 +209,7 @@ void CommandQueue::start_with(World world) {
 }
 
 std::optional<CommandQueue::SavePoint> CommandQueue::save_point() {
+  KERF_ASSERT(history_.position() > 0);
   const size_t last = history_.position() - 1;
   if (in_stroke() || recorder_.step() != last || pending_.unfinished_rim().begun()) return std::nullopt;
   if (history_.last().images() != Images::kHeld) return std::nullopt;

@@ -299,8 +299,9 @@ Outcome Document::cancel_stroke() {
   queue_.history().drop_undone();
   const std::vector<Command>& commands = journal_.commands();
   size_t begin = commands.size();
-  while (!std::holds_alternative<BeginStroke>(commands[--begin])) {
-  }
+  do {
+    KERF_ASSERT(begin > 0);
+  } while (!std::holds_alternative<BeginStroke>(commands[--begin]));
   journal_.shrink(begin);
   ++revision_;
   return all;

@@ -133,6 +133,7 @@ Joints carried_on(const Joints& joints, std::span<const uint32_t> within, BodyId
 
 // Returns true if each triangle has the corners of the face from which it derives, in the same order.
 bool is_unchanged(const Remeshed& remeshed, const Mesh& mesh) {
+  KERF_ASSERT(remeshed.origins.size() == remeshed.triangles.size());
   if (remeshed.triangles.size() != mesh.live_faces()) return false;
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
     const Triangle before = mesh.triangle(remeshed.origins[t]);
@@ -198,6 +199,7 @@ Triangle triangle_of(const Extract& e, const std::array<uint32_t, 3>& t) {
 }
 
 void measure(Extract& out) {
+  KERF_ASSERT(!out.triangles.empty() && !out.positions.empty());
   double weight = 0;
   Vec3 sum{0};
   for (const auto& t : out.triangles) {

@@ -46,6 +46,7 @@ bool lists(const std::vector<BodyId>& ids, BodyId id) {
 }
 
 Ticks ticks_of_last(const std::vector<Command>& commands) {
+  KERF_ASSERT(!commands.empty());
   const auto* advance = std::get_if<AdvanceTime>(&commands.back());
   return advance ? advance->ticks : 0;
 }
@@ -143,6 +144,7 @@ void HistoryStep::follow_bodies(const Delta& delta) {
 }
 
 void HistoryStep::keep_cut_faces(const BodyDelta& delta) {
+  KERF_ASSERT(totals_.cut_faces_kept <= kMaxCutFaces);
   const size_t count = std::min(delta.removed.size(), kMaxCutFaces - totals_.cut_faces_kept);
   if (count == 0) return;
   std::vector<CutFace>& kept = cut_faces_[delta.body];
@@ -200,16 +202,19 @@ void HistoryStep::drop_before_images() {
 }
 
 Delta HistoryStep::undo(World& world) {
+  KERF_ASSERT(images_ != Images::kDiscarded);
   for (size_t i = changes_.size(); i-- > 0;) world.exchange(changes_[i]);
   return delta(world, true);
 }
 
 Delta HistoryStep::redo(World& world) {
+  KERF_ASSERT(images_ == Images::kHeld);
   for (World::Change& change : changes_) world.exchange(change);
   return delta(world, false);
 }
 
 Delta HistoryStep::restore(World& world, size_t slots) const {
+  KERF_ASSERT(images_ != Images::kDiscarded);
   for (size_t i = changes_.size(); i-- > 0;) world.restore(changes_[i], slots);
   return delta(world, true);
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "core/base/assert.h"
 #include "core/base/tolerances.h"
 #include "core/document/job_files.h"
 
@@ -122,6 +123,7 @@ class OutlineTracer {
     return !has_others_ && high_ - low_ <= kFlatAngle * size_;
   }
   bool is_plate() const {
+    KERF_ASSERT(piece_.volume.has_value());
     constexpr double kSlack = 0.01;
     const double volume = upper_area_ * (high_ - low_);
     return std::abs(lower_area_ - upper_area_) <= kSlack * upper_area_ &&

@@ -33,6 +33,7 @@ size_t count_specks(const Delta& delta, const Document& document) {
 
 // Joins in pairs, because appending one after the other would take quadratic time.
 Delta joined(std::vector<Delta> changes) {
+  KERF_ASSERT(!changes.empty());
   for (size_t width = 1; width < changes.size(); width *= 2) {
     for (size_t i = 0; i + width < changes.size(); i += 2 * width)
       changes[i].append(std::move(changes[i + width]));

@@ -153,6 +153,7 @@ void retime(StrokePath& stroke, double speed) {
 
 void insert_key(StrokePath& stroke, size_t at, const Pose& pose) {
   KERF_ASSERT(at <= stroke.keys.size() && is_unit(pose.direction));
+  KERF_ASSERT(stroke.times.size() == stroke.keys.size());
   const double speed = mean_speed(stroke);
   stroke.times.insert(stroke.times.begin() + static_cast<std::ptrdiff_t>(at), time_at(stroke, at, pose));
   stroke.keys.insert(stroke.keys.begin() + static_cast<std::ptrdiff_t>(at), pose);
@@ -160,6 +161,7 @@ void insert_key(StrokePath& stroke, size_t at, const Pose& pose) {
 }
 
 void erase_key(StrokePath& stroke, size_t at) {
+  KERF_ASSERT(stroke.times.size() == stroke.keys.size());
   KERF_ASSERT(at < stroke.keys.size());
   stroke.keys.erase(stroke.keys.begin() + static_cast<std::ptrdiff_t>(at));
   stroke.times.erase(stroke.times.begin() + static_cast<std::ptrdiff_t>(at));

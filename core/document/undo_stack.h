@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/document/history_step.h"
 
 namespace kerf {
@@ -24,13 +25,28 @@ class UndoStack {
   size_t position() const { return position_; }
   size_t size() const { return steps_.size(); }
   // Precondition: position <= size().
-  void set_position(size_t position) { position_ = position; }
+  void set_position(size_t position) {
+    KERF_ASSERT(position <= size());
+    position_ = position;
+  }
   // Precondition: i < size().
-  HistoryStep& step(size_t i) { return *steps_[i]; }
-  const HistoryStep& step(size_t i) const { return *steps_[i]; }
+  HistoryStep& step(size_t i) {
+    KERF_ASSERT(i < size());
+    return *steps_[i];
+  }
+  const HistoryStep& step(size_t i) const {
+    KERF_ASSERT(i < size());
+    return *steps_[i];
+  }
   // Precondition: position() > 0.
-  HistoryStep& last() { return *steps_[position_ - 1]; }
-  const HistoryStep& last() const { return *steps_[position_ - 1]; }
+  HistoryStep& last() {
+    KERF_ASSERT(position_ > 0);
+    return *steps_[position_ - 1];
+  }
+  const HistoryStep& last() const {
+    KERF_ASSERT(position_ > 0);
+    return *steps_[position_ - 1];
+  }
 
   // Adds a step at the position and drops the steps that were undone.
   void append(HistoryStep step);
@@ -51,7 +67,11 @@ class UndoStack {
   // The last stroke or recut before the position.
   std::optional<size_t> last_cut() const;
   // The settings of last_cut(). Precondition: last_cut().
-  const CutSettings& last_settings() const { return settings_of(*last_cut()); }
+  const CutSettings& last_settings() const {
+    const std::optional<size_t> last = last_cut();
+    KERF_ASSERT(last.has_value());
+    return settings_of(*last);
+  }
   // The cut settings of a step. Precondition: cuts(step).
   const CutSettings& settings_of(size_t step) const;
   // Returns the commands that reproduce the effect of a step. For a recut, these are the commands of the

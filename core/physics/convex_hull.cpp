@@ -45,6 +45,7 @@ IndexedHull bullet_hull(std::span<const Vec3> points) {
 }
 
 Vec3 extent_of(std::span<const Vec3> points) {
+  KERF_ASSERT(!points.empty());
   Vec3 low = points[0], high = points[0];
   for (const Vec3& p : points) {
     low = glm::min(low, p);
@@ -68,6 +69,7 @@ uint32_t farthest(std::span<const Vec3> points, const Value& value) {
 
 // Returns the corners of a large tetrahedron.
 std::vector<uint32_t> first_corners(std::span<const Vec3> points) {
+  KERF_ASSERT(points.size() >= 4);
   const uint32_t a = farthest(points, [](const Vec3& p) { return -p.x; });
   const uint32_t b = farthest(points, [&](const Vec3& p) { return glm::distance(p, points[a]); });
   const Vec3 along = points[b] - points[a];
@@ -133,6 +135,7 @@ ConvexHull convex_hull(std::span<const Vec3> points, size_t max_vertices) {
   const double largest = std::max({extent.x, extent.y, extent.z});
   if (!(std::abs(volume) > kHullResolution * kHullResolution * largest * largest * largest)) return {};
   ConvexHull result;
+  KERF_ASSERT(hull.vertices.size() <= max_vertices);
   std::vector<uint32_t> number(kept.size(), 0);
   for (const uint32_t v : hull.vertices) {
     number[v] = static_cast<uint32_t>(result.positions.size());
@@ -147,6 +150,7 @@ ConvexHull convex_hull(std::span<const Vec3> points, size_t max_vertices) {
 
 std::vector<Vec3> thickened_sheet(std::span<const Vec3> positions,
                                   std::span<const std::array<uint32_t, 3>> triangles, double thickness) {
+  KERF_ASSERT(thickness >= 0);
   std::vector<Vec3> points;
   points.reserve(6 * triangles.size());
   for (const auto& corners : triangles) {

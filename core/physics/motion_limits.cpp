@@ -66,6 +66,7 @@ Placement between(const MovingBody& b, double share) {
 
 // Places a body elsewhere, and scales the velocity of its centre of mass and its spin.
 void slow(const MovingBody& b, const Placement& to, double factor) {
+  KERF_ASSERT(factor >= 0 && factor <= 1);
   Motion& motion = b.body->motion;
   Placement& placement = b.body->placement;
   const Vec3 velocity = motion.velocity_at(placement.to_world(b.frame.centre), placement);
@@ -203,6 +204,7 @@ class Holding {
 
   void remember(const std::vector<Pair>& crossing) {
     const std::vector<uint8_t> keeps_speed = search_.remember_piercing(crossing);
+    KERF_ASSERT(keeps_speed.size() == crossing.size());
     for (size_t p = 0; p < crossing.size(); ++p) {
       if (keeps_speed[p] == 0) continue;
       ways_.keep_speed(crossing[p].first);
@@ -332,6 +334,7 @@ std::vector<TouchingPair> ContactSearch::pairs_to_test() {
     if (bodies_[i].moves() && !find(i, TouchingPair::kGround))
       pairs.push_back({i, TouchingPair::kGround, {}, {}});
   }
+  KERF_ASSERT(next == near.end());
   return pairs;
 }
 

@@ -28,6 +28,7 @@ constexpr int kRevision = 3;
 
 // Returns the inverse of the inertia in world axes.
 glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) {
+  KERF_ASSERT(frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0);
   const glm::dmat3 axes = glm::mat3_cast(placement.orientation * frame.axes);
   glm::dmat3 inverse(0.0);
   for (int k = 0; k < 3; ++k) inverse[k][k] = 1 / frame.inertia[k];
@@ -90,6 +91,7 @@ void set_way(MovingBody& b, const Vec3& gravity) {
 
 // Sets the state of a body at the beginning of a tick. Precondition: `b` has its body and collider.
 void begin_tick(MovingBody& b, const Environment& around) {
+  KERF_ASSERT(b.body != nullptr && b.collider != nullptr);
   const Body& body = *b.body;
   b.frame = rigid_frame(body);
   b.fixed = body.pinned || !(b.frame.mass > 0);
@@ -172,6 +174,7 @@ void take_memory(std::vector<TouchingPair>& pairs, ContactMemory& memory) {
 // stays. Precondition: both lists are sorted.
 ContactMemory memory_after(std::span<const MovingBody> bodies, const ContactMemory& before,
                            std::vector<TouchingPair>& pairs, std::vector<TouchingPair>& resting) {
+  KERF_ASSERT(std::ranges::is_sorted(before, {}, &PairMemory::bodies));
   ContactMemory memory;
   take_memory(pairs, memory);
   take_memory(resting, memory);
@@ -367,6 +370,7 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
 
 Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody> guided,
                     std::span<const BodyId> carried) {
+  KERF_ASSERT(std::ranges::is_sorted(carried));
   if (count_bodies(world, carried).awake > 0) {
     update_caches(world, taking_part(world, carried), under_beam);
   } else if (world.spring()) {
@@ -382,6 +386,7 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody
       std::all_of(bodies.begin(), bodies.end(), [](const MovingBody& b) { return b.fixed || b.asleep; });
   if (all_rest) return {};
 
+  KERF_ASSERT(joints_.has_value());
   const std::vector<BodyJoint> joints = joints_between(bodies, *joints_, world.joints());
   const ContactMemory& before = world.contact_memory();
   set_rolling_loss(bodies, joints, before, world.environment().gravity);

@@ -61,6 +61,7 @@ class AwakeGroups {
   AwakeGroups(std::span<const MovingBody> bodies, std::span<const BodyJoint> joints)
       : groups_(bodies.size()), awake_(bodies.size(), false) {
     for (const BodyJoint& j : joints) {
+      KERF_ASSERT(std::max(j.first, j.second) < bodies.size());
       if (!bodies[j.first].fixed && !bodies[j.second].fixed) groups_.unite(j.first, j.second);
     }
   }
@@ -125,6 +126,7 @@ void count_quiet(std::span<MovingBody> bodies, std::span<const TouchingPair> pai
                  std::span<const BodyJoint> joints) {
   std::vector<double> limit(bodies.size(), 1);  // factor of the speed limits
   for (const BodyJoint& joint : joints) {
+    KERF_ASSERT(joint.joint != nullptr);
     if (joint.joint->kind != Joint::Kind::kWeld) limit[joint.first] = limit[joint.second] = kSlowOnJoint;
   }
   for (const TouchingPair& pair : pairs) {

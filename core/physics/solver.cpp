@@ -273,6 +273,7 @@ class BulletGroup {
 void solve_contacts(std::span<MovingBody> bodies, std::span<TouchingPair> pairs,
                     std::span<const BodyJoint> joints, const SolverSettings& settings, SolverMemory& memory) {
   assert(settings.seconds > 0 && settings.iterations > 0);
+  assert(settings.metre > 0 && settings.friction >= 0 && settings.restitution >= 0);
   BulletGroup group(bodies, settings, *memory.storage_);
   for (TouchingPair& pair : pairs) group.add(pair);
   for (const BodyJoint& joint : joints) group.add(joint);

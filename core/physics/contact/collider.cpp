@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/mesh/face_batches.h"
 
 namespace kerf {
@@ -135,12 +136,14 @@ class Lines {
     for (const Line& line : lines_) {
       for (const double from : line.omission_errors) count += from > error * error;
     }
+    KERF_ASSERT(count >= lines_.size());
     return count - lines_.size();
   }
 
   std::vector<Collider::Chord> chords(double error) const {
     std::vector<Collider::Chord> chords;
     for (const Line& line : lines_) {
+      KERF_ASSERT(!line.places.empty() && line.omission_errors.size() == line.places.size());
       Vec3 from = line.places.front();
       for (size_t i = 1; i < line.places.size(); ++i) {
         if (!(line.omission_errors[i] > error * error)) continue;
@@ -227,6 +230,7 @@ Clusters sort_by_clusters(std::vector<Item>& items) {
   std::vector<std::array<Vec3, 2>> segments;
   for (const Item& item : items) segments.push_back(segment_of(item));
   Clustering clustering = make_clusters(segments);
+  KERF_ASSERT(clustering.order.size() == items.size());
   std::vector<Item> sorted;
   for (uint32_t i : clustering.order) sorted.push_back(items[i]);
   items = std::move(sorted);
@@ -255,6 +259,7 @@ class Ends {
   }
   // Returns indices of edges, ascending. Precondition: an edge ends there.
   std::span<const uint32_t> at(VertexId v) const {
+    KERF_ASSERT(v.index + size_t{1} < first_.size());
     return std::span(edges_).subspan(first_[v.index], first_[v.index + 1] - first_[v.index]);
   }
 
@@ -308,6 +313,7 @@ class ClusterDivision {
 
  private:
   void halve(uint32_t begin, uint32_t end, uint32_t around) {
+    KERF_ASSERT(begin + 1 < end);
     const int axis = widest_axis(begin, end);
     const auto first = out_.order.begin();
     std::stable_sort(first + begin, first + end,
@@ -402,6 +408,8 @@ Collider make_collider(const Mesh& mesh, const ColliderSettings& settings) {
   }
   for (VertexId v : normals.used) collider.bounds.add(mesh.position(v));
   if (!normals.used.empty()) collider.space = space_of(mesh, collider);
+  KERF_ASSERT(collider.points.size() <= settings.max_points);
+  KERF_ASSERT(collider.chords.size() <= settings.max_chords);
   collider.corners = corners_of(mesh, normals, edges);
   collider.point_clusters = sort_by_clusters(collider.points);
   collider.chord_clusters = sort_by_clusters(collider.chords);

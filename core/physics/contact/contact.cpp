@@ -36,12 +36,14 @@ struct Rank {
 };
 
 uint32_t deepest_of(const std::vector<Contact>& contacts, const Rank& rank = {}) {
+  KERF_ASSERT(!contacts.empty());
   const auto deepest = std::ranges::min_element(contacts, {}, rank);
   return static_cast<uint32_t>(deepest - contacts.begin());
 }
 
 // Keeps the selected contacts, in the order in which they were found.
 void keep(std::vector<Contact>& contacts, std::vector<uint32_t> selected) {
+  KERF_ASSERT(selected.size() <= kMaxContacts && selected.size() <= contacts.size());
   std::ranges::sort(selected);
   std::vector<Contact> kept;
   for (const uint32_t c : selected) kept.push_back(contacts[c]);
@@ -50,6 +52,7 @@ void keep(std::vector<Contact>& contacts, std::vector<uint32_t> selected) {
 
 // Returns positions of contacts on a plane, along the longest distance and across it, relative to extents.
 std::vector<Vec3> places_on_plane(const std::vector<Contact>& contacts, uint32_t from, const Vec3& up) {
+  KERF_ASSERT(from < contacts.size());
   std::vector<Vec3> places;
   for (const Contact& c : contacts) {
     const Vec3 way = c.at - contacts[from].at;

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double kSeated = 0.5;        // share of the skin
+constexpr double kSeated = 0.5;      // share of the skin
 constexpr double kMinCosine = 0.25;  // between the way off all walls and their normals
 constexpr uint64_t kMatingFeature = uint64_t{1} << 28;
 
@@ -51,6 +51,7 @@ std::vector<WallCorner> mating_corners(const std::vector<WallCorner>& first,
 // Returns the shortest way, in the frame of the walls, that leads off all of them by a distance; nullopt if
 // there is none, or only one almost along a wall.
 std::optional<Vec3> way_off(const std::vector<WallCorner>& walls, double distance) {
+  KERF_ASSERT(!walls.empty() && distance > 0);
   std::vector<Vec3> normals;
   Vec3 sum(0);
   for (const WallCorner& w : walls) {

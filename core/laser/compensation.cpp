@@ -41,6 +41,7 @@ class RawOffset {
 
   // Returns the corners; of a closed line the last one joins the first.
   std::vector<Vec2> points() {
+    KERF_ASSERT(!source_.empty());
     const size_t n = source_.size();
     if (!closed_) add(source_.front().begin + shift(0));
     for (size_t i = 0; i + (closed_ ? 0 : 1) < n; ++i) join(i, (i + 1) % n);
@@ -198,6 +199,7 @@ class OffsetTrim {
   }
 
   void add_chain(uint32_t first, std::vector<DrawnLine>& lines) {
+    KERF_ASSERT(!used_[first]);
     DrawnLine line;
     double length = 0;
     std::optional<uint32_t> part = first;

@@ -30,6 +30,7 @@ Vec2 EllipseArc::at(double t) const {
 }
 
 size_t chord_count(double bend, double tolerance, size_t most) {
+  KERF_ASSERT(tolerance > 0);
   const double count = std::ceil(std::sqrt(bend / (8 * tolerance)));
   if (!(count > 1)) return 1;
   return count < static_cast<double>(most) ? static_cast<size_t>(count) : std::max<size_t>(most, 1);
@@ -58,6 +59,7 @@ void DrawingBuilder::line_to(Vec2 point) { add(point); }
 
 void DrawingBuilder::quadratic_to(Vec2 control, Vec2 end) {
   if (!fault_.empty()) return;
+  KERF_ASSERT(!line_.points.empty());
   const Vec2 start = line_.points.back();
   const size_t n = chord_count(2 * glm::length(start - 2.0 * control + end), tolerance_, room());
   for (size_t i = 1; i < n && fault_.empty(); ++i) {
@@ -69,6 +71,7 @@ void DrawingBuilder::quadratic_to(Vec2 control, Vec2 end) {
 
 void DrawingBuilder::cubic_to(Vec2 control1, Vec2 control2, Vec2 end) {
   if (!fault_.empty()) return;
+  KERF_ASSERT(!line_.points.empty());
   const Vec2 start = line_.points.back();
   const double bend = 6 * std::max(glm::length(start - 2.0 * control1 + control2),
                                    glm::length(control1 - 2.0 * control2 + end));
@@ -132,6 +135,7 @@ Drawing DrawingBuilder::take() {
 
 std::optional<PlaneBounds> bounds_of(const std::vector<DrawnLine>& lines) {
   if (lines.empty()) return std::nullopt;
+  KERF_ASSERT(!lines.front().points.empty());
   PlaneBounds bounds{lines.front().points.front(), lines.front().points.front()};
   for (const DrawnLine& line : lines) {
     for (const Vec2& point : line.points) {
@@ -159,6 +163,7 @@ class LineEnds {
   bool used(size_t line) const { return used_[line]; }
   // Removes the ends of the line. Precondition: it is open.
   void use(size_t line) {
+    KERF_ASSERT(!lines_[line].closed && !used_[line]);
     used_[line] = true;
     for (const Vec2 end : {lines_[line].points.front(), lines_[line].points.back()})
       ends_.erase({cell(end), line});

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/geometry.h"
 #include "core/base/result.h"
 
@@ -24,7 +25,9 @@ struct DxfGroup {
 class DxfEntity {
  public:
   // Precondition: groups is not empty. `file` names the file in errors; both must outlive the entity.
-  DxfEntity(std::span<const DxfGroup> groups, const std::string& file) : groups_(groups), file_(&file) {}
+  DxfEntity(std::span<const DxfGroup> groups, const std::string& file) : groups_(groups), file_(&file) {
+    KERF_ASSERT(!groups.empty());
+  }
 
   std::string_view type() const { return groups_.front().value; }
   std::span<const DxfGroup> groups() const { return groups_; }

@@ -50,6 +50,7 @@ class GcodeWriter {
   }
 
   void add_stroke(const ProgramStroke& stroke) {
+    KERF_ASSERT(!stroke.points.empty() && stroke.times.size() == stroke.points.size());
     text_ += "G0";
     add_axes(stroke.points.front(), nullptr);
     text_ += "\n" + post_.laser_on;

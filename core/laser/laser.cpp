@@ -27,6 +27,7 @@ void bisect(const BeamMove& move, size_t parts, std::vector<BeamMove>& out) {
 
 // Returns the time (s) that a pulsed beam has been on after `t` seconds.
 double seconds_on(const Laser& laser, double t) {
+  KERF_ASSERT(laser.pulse_rate > 0);
   const double period = 1 / laser.pulse_rate, whole = std::floor(t / period);
   return laser.duty * period * whole + std::min(t - whole * period, laser.duty * period);
 }
@@ -40,6 +41,7 @@ static_assert(kBundleSpacing == 0.3);
 constexpr double kSpacingsAFace = 0.6;  // the spacing is at most this share of a face
 
 int halvings_for(double face) {
+  KERF_ASSERT(face > 0);
   int halvings = 0;
   for (double s = kBundleSpacing; s > kSpacingsAFace * face && halvings < kMaxHalvings; s *= 0.5) ++halvings;
   return halvings;
@@ -85,6 +87,7 @@ double emitted_energy(const Laser& laser, double from, double to) {
 
 // Starts from the world axis least parallel to d.
 Vec3 across(const Vec3& d) {
+  KERF_ASSERT(is_unit(d));
   const Vec3 size = glm::abs(d);
   const Vec3 e = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)
                  : size.y <= size.z                   ? Vec3(0, 1, 0)
@@ -122,6 +125,7 @@ size_t subdivisions(const BeamMove& move, double radius, double reach) {
 
 std::vector<BeamMove> subdivide(const BeamMove& move, double radius, double reach) {
   KERF_ASSERT(move.seconds >= 0);
+  KERF_ASSERT(is_unit(move.from.direction) && is_unit(move.to.direction));
   const size_t moves = subdivisions(move, radius, reach);
   std::vector<BeamMove> out;
   out.reserve(moves);

@@ -17,6 +17,7 @@ double angle_of(const RotaryAxis& axis, const MachinePosition& at) { return at.a
 
 // Whole turns are removed first, so that they restore positions to the bit.
 glm::dquat rotation(const RotaryAxis& axis, double degrees) {
+  KERF_ASSERT(is_unit(axis.axis));
   return axis_angle(axis.axis, radians_of(std::fmod(degrees, 360)));
 }
 

@@ -84,6 +84,7 @@ Vec2 spline_point(const Spline& spline, double t) {
 }
 
 void add_spline(const Spline& spline, const std::string& layer, DrawingBuilder& builder) {
+  KERF_ASSERT(!spline_fault(spline));
   const size_t degree = static_cast<size_t>(spline.degree);
   builder.move_to(spline_point(spline, spline.knots[degree]), layer);
   for (size_t k = degree; k < spline.controls.size(); ++k) {

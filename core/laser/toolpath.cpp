@@ -72,6 +72,7 @@ std::vector<size_t> inner_first(const std::vector<Nesting>& nesting) {
 class ArcLength {
  public:
   explicit ArcLength(const std::vector<Vec2>& points) : points_(points), at_(1, 0.0) {
+    KERF_ASSERT(!points.empty());
     for (size_t i = 1; i < points.size(); ++i)
       at_.push_back(at_.back() + glm::length(points[i] - points[i - 1]));
   }
@@ -181,6 +182,7 @@ class ToolpathMaker {
 
   // Returns the point where the entry to a stroke begins; nullopt if the beam would touch a line on the way.
   std::optional<Vec2> entry(Vec2 start, Vec2 next) const {
+    KERF_ASSERT(near_.has_value());
     constexpr int kSamples = 8;
     const Vec2 d = glm::normalize(next - start), left{-d.y, d.x};
     const Vec2 away = options_.side == PathSide::kLeft ? left : -left;
@@ -193,6 +195,7 @@ class ToolpathMaker {
   }
 
   void add_stroke(std::vector<Vec2> points, const std::string& layer) {
+    KERF_ASSERT(points.size() >= 2);
     if (options_.lead_in > 0) {
       if (const auto from = entry(points[0], points[1])) {
         points.insert(points.begin(), *from);

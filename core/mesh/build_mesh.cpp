@@ -130,6 +130,7 @@ class Builder {
   }
 
   void turn(const std::vector<bool>& selected) {
+    KERF_ASSERT(selected.size() == triangles_.size());
     if (std::find(selected.begin(), selected.end(), true) == selected.end()) return;
     std::vector<uint32_t> edge_of = edges_of_sides(edges_);
     for (size_t t = 0; t < triangles_.size(); ++t) {
@@ -280,6 +281,7 @@ class Builder {
   }
 
   void link_rings(const std::vector<HalfEdgeId>& half_edge) {
+    KERF_ASSERT(half_edge.size() == 3 * triangles_.size());
     for (const uint32_t e : rings_) {
       const auto sides = edges_.sides_of(e);
       const auto start = [&](uint32_t side) { return fans_.position[tail(side)]; };
@@ -314,6 +316,7 @@ class Builder {
       report_.repairs.zero_area_faces += sum.without_area;
     }
     report_.faces = triangles_.size();
+    KERF_ASSERT(fans_.count() > 0);
     report_.min = report_.max = at[0];
     for (uint32_t v = 1; v < fans_.count(); ++v) {
       report_.min = glm::min(report_.min, at[v]);

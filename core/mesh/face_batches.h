@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,10 @@ class TriangleBatch {
   static constexpr uint32_t kFaces = 64;
 
   // Precondition: the batch is not full.
-  void add(FaceId f) { face_[count_++] = f; }
+  void add(FaceId f) {
+    assert(room() > 0);
+    face_[count_++] = f;
+  }
   void clear() { count_ = 0; }
   uint32_t count() const { return count_; }
   uint32_t room() const { return kFaces - count_; }

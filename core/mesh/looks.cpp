@@ -125,7 +125,9 @@ class LooksHash {
 class Looks::Builder {
  public:
   Builder(const Soup& soup, std::span<const uint32_t> sources, const std::vector<bool>& turned)
-      : soup_(soup), sources_(sources), turned_(turned) {}
+      : soup_(soup), sources_(sources), turned_(turned) {
+    KERF_ASSERT(sources.empty() ? turned.size() == soup.triangles.size() : turned.size() == sources.size());
+  }
 
   static uint64_t hash_of(const Looks& looks) {
     LooksHash hash;
@@ -301,6 +303,7 @@ Vec3 Looks::barycentrics(FaceId loaded, const Vec3& point) const {
 }
 
 bool Looks::agrees(FaceId loaded, const Triangle& part) const {
+  KERF_ASSERT(contains(loaded));
   const Triangle t = positions_.at(loaded);
   const auto across = [](const Triangle& s) {
     const double size = std::max(largest_part(s[1] - s[0]), largest_part(s[2] - s[0]));
@@ -323,6 +326,7 @@ double height_above(const Triangle& t, const Vec3& at) {
 }  // namespace
 
 bool Looks::lies_on_plane(FaceId loaded, const Vec3& at) const {
+  KERF_ASSERT(contains(loaded));
   const Triangle t = positions_.at(loaded);
   const double size = std::max(largest_part(t[1] - t[0]), largest_part(t[2] - t[0]));
   const double slack =

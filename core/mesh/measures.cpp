@@ -45,6 +45,7 @@ class TriangleBoxes {
  public:
   explicit TriangleBoxes(std::span<const Triangle> triangles)
       : triangles_(triangles.begin(), triangles.end()) {
+    KERF_ASSERT(!triangles.empty());
     nodes_.reserve(triangles.size());
     build(0, static_cast<uint32_t>(triangles_.size()));
   }
@@ -283,6 +284,7 @@ Result<double> surface_distance(std::span<const Triangle> one, std::span<const T
 
 EnclosedVolume enclosed_volume(std::span<const Vec3> positions, std::span<const Corners> triangles,
                                const SoupEdges& edges, const Vec3& origin) {
+  KERF_ASSERT(edges.triangles() == triangles.size());
   return {is_closed(triangles, edges), signed_volume(positions, triangles, origin)};
 }
 

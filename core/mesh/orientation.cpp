@@ -298,6 +298,7 @@ std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
                                       const Patches& patches, std::span<const uint32_t> asked,
                                       uint32_t rays) {
   if (asked.empty()) return {};
+  KERF_ASSERT(rays > 0 && patches.patch_of.size() == triangles.size());
   return EnclosureTest(positions, triangles, patches, asked, rays).run();
 }
 

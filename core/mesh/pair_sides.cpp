@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/assert.h"
 #include "core/base/containers.h"
 #include "core/mesh/half_edges_internal.h"
 
@@ -192,11 +193,13 @@ std::vector<uint32_t> pair_sides_of_shells(std::span<const Vec3> positions,
                                            std::span<const uint32_t> patch_of,
                                            std::vector<uint32_t>& partner) {
   if (several.empty()) return {};
+  KERF_ASSERT(partner.size() == 3 * triangles.size() && patch_of.size() == triangles.size());
   return ShellPairing(positions, triangles, edges, patch_of, partner).run(several);
 }
 
 void join_patches(Patches& patches, std::span<const uint32_t> partner, std::span<const uint32_t> pairs) {
   if (pairs.empty()) return;
+  KERF_ASSERT(partner.size() == 3 * patches.patch_of.size());
   constexpr uint32_t kNone = 0xffffffffu;
   UnionFind shells(patches.count());
   std::vector<bool> closed = std::move(patches.closed);

@@ -237,6 +237,7 @@ Result<Patches> find_patches(const std::vector<std::array<uint32_t, 3>>& triangl
 }
 
 size_t count_components(const Patches& patches, const SoupEdges& edges) {
+  KERF_ASSERT(patches.patch_of.size() == edges.triangles());
   size_t components = patches.count();
   if (components == 1) return 1;
   UnionFind sets(patches.count());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/measures.h"
 #include "core/mesh/orientation.h"
 #include "core/mesh/remesh/collapser_internal.h"
@@ -128,6 +129,7 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const Collapser
   }
   out.positions = std::move(welded.positions);
   out.triangles = std::move(welded.triangles);
+  KERF_ASSERT(out.origins.size() == out.triangles.size());
   return out;
 }
 
@@ -136,6 +138,7 @@ Remeshed to_remeshed(const Mesh& mesh, const FlatSheets& sheets, const Collapser
 std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh) {
   std::vector<VertexColour> colours;
   if (mesh.colours().blank()) return colours;
+  KERF_ASSERT(remeshed.origins.size() == remeshed.triangles.size());
   colours.resize(remeshed.positions.size());
   std::vector<bool> known(colours.size(), false);
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
@@ -172,6 +175,7 @@ Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress) {
 
 Result<Remeshed> simplify(const Mesh& mesh, const SimplifyTarget& target, const RemeshLimits& limits,
                           const Progress* progress, std::span<const FaceId> followed) {
+  KERF_ASSERT(mesh.live_faces() > 0);
   ProgressShares shares(progress);
   const Progress copying = shares.next(0.3), collapsing = shares.next(0.6), back = shares.next(0.1);
   const auto sheets = to_flat_sheets(mesh, limits, &copying);

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"
@@ -98,6 +99,7 @@ void sample(const Triangle& t, const Vec2& half, Visit visit) {
 }  // namespace
 
 bool passes_near(const Pose& ray, double length, const Vec3& centre, double radius, double reach) {
+  KERF_ASSERT(length >= 0 && radius >= 0);
   const Vec3 way = centre - ray.origin;
   const double along = std::clamp(glm::dot(way, ray.direction), 0.0, length);
   const Vec3 beside = way - along * ray.direction;
@@ -115,6 +117,7 @@ Sight::Sight(const World& world) : world_(world) {
 }
 
 std::optional<SightHit> Sight::nearest(const Pose& ray, double length, const Stops& stops) const {
+  KERF_ASSERT(is_unit(ray.direction) && length >= 0);
   std::optional<SightHit> first = on_ground(world_, ray, length);
   for (const Near& near : bodies_) {
     const double within = first ? first->length : length;
@@ -263,6 +266,7 @@ void FreeSpace::find_upper_floor(const std::vector<Triangle>& faces) {
 }
 
 void FreeSpace::find_blocked(const std::vector<Triangle>& faces, std::vector<bool>& blocked) const {
+  KERF_ASSERT(blocked.size() == spots() && heights_.size() == cells());
   for (const Triangle& t : faces) {
     sample(t, half_, [&](const Vec3& p) {
       if (std::abs(p.x) > half_.x || std::abs(p.z) > half_.y) return;
@@ -309,6 +313,7 @@ bool FreeSpace::is_at_drop(int x, int z) const {
 }
 
 void FreeSpace::measure(const std::vector<bool>& blocked) {
+  KERF_ASSERT(blocked.size() == spots());
   clearance_.assign(spots(), static_cast<float>(kFar));
   constexpr int kReach = static_cast<int>(kFar / kCell) + 1;
   for (Spot spot = 0; spot < spots(); ++spot) {
@@ -352,6 +357,7 @@ bool FreeSpace::is_step(Spot from, Spot to) const {
 }
 
 FreeSpace::Spot FreeSpace::spot_at(const Vec3& p) const {
+  KERF_ASSERT(spots() > 0);
   const Spot lower = spot_of(column(p.x), row(p.z), false);
   const double height = heights_[lower];
   const bool roomier = clearance_[lower + cells()] > clearance_[lower] || height > ground_ + kHigh;
@@ -360,6 +366,7 @@ FreeSpace::Spot FreeSpace::spot_at(const Vec3& p) const {
 }
 
 Vec3 FreeSpace::place_of(Spot spot) const {
+  KERF_ASSERT(spot < spots());
   const uint32_t cell = spot % cells();
   const double x = (static_cast<int>(cell) % columns_ + 0.5) * kCell - half_.x;
   const double z = (static_cast<int>(cell) / columns_ + 0.5) * kCell - half_.y;
@@ -367,6 +374,7 @@ Vec3 FreeSpace::place_of(Spot spot) const {
 }
 
 FreeSpace::Spot FreeSpace::with_room_near(const Vec3& p, double reach) const {
+  KERF_ASSERT(spots() > 0 && reach >= 0);
   Spot best = spots();
   double nearest = reach;
   const int most = static_cast<int>(reach / kCell) + 1, x = column(p.x), z = row(p.z);
@@ -410,6 +418,7 @@ Obstacles::Cells Obstacles::cells_between(const Vec3& low, const Vec3& high) con
 }
 
 std::optional<Obstacles::Touch> Obstacles::touched_by(const Vec3& centre, double radius) const {
+  KERF_ASSERT(radius > 0);
   std::optional<Touch> deepest;
   if (faces_.empty()) return deepest;
   const Cells cells = cells_between(centre - Vec3(radius), centre + Vec3(radius));

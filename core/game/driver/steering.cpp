@@ -6,6 +6,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
@@ -94,6 +95,7 @@ class Search {
   }
 
   std::vector<Vec3> find(Spot from, Spot to) {
+    KERF_ASSERT(from < space_.spots() && to < space_.spots());
     goal_ = space_.place_of(to);
     costs_[from] = 0;
     open_.push({static_cast<float>(glm::distance(space_.place_of(from), goal_)), from});
@@ -291,6 +293,7 @@ std::vector<Vec3> find_route(const FreeSpace& space, std::span<const Disc> traff
 
 ArcEnd follow_arc(const FreeSpace& space, std::span<const Disc> traffic, const Course& course,
                   const Arc& arc) {
+  KERF_ASSERT(course.wheelbase > 0);
   const Surrounds around(space, traffic, course);
   Vec3 at = course.at;
   double heading = course.heading, speed = course.speed;
@@ -342,6 +345,7 @@ Vec3 Steering::select_goal(const DriverView& view, const Course& course, const V
 
 // The farthest point of the route to which it can drive straight.
 Vec3 Steering::point_ahead(const DriverView& view, const Course& course) const {
+  KERF_ASSERT(!route_.empty());
   size_t nearest = 0;
   for (size_t i = 1; i < route_.size(); ++i) {
     if (flat_distance(route_[i], course.at) < flat_distance(route_[nearest], course.at)) nearest = i;

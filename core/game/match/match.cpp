@@ -265,6 +265,7 @@ void Match::add_enemies(const WaveStart& start, Delta& created) {
   const size_t wave = start.standing.wave;
   if (wave >= rules().waves.size()) return;
   const std::vector<Start> starts = starts_by_way(rules().arena.description, space_, start.player.position);
+  KERF_ASSERT(!starts.empty());
   const uint64_t seed = hash_combine(hash_combine(setup_.seed, wave), standing().cars_left);
   for (size_t i = 0; i < rules().waves[wave].size(); ++i) {
     if (std::ranges::find(start.out, i) != start.out.end()) continue;
@@ -310,6 +311,7 @@ bool Match::is_wall(BodyId body) const {
 }
 
 DriverView Match::view(size_t vehicle, const Sight& sight) const {
+  KERF_ASSERT(vehicle < vehicles_.size());
   static constexpr size_t kOnlyPlayer[] = {kPlayer};
   const std::span<const size_t> opponents =
       vehicle == kPlayer ? std::span<const size_t>(enemies_) : std::span<const size_t>(kOnlyPlayer);

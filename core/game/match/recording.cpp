@@ -222,6 +222,7 @@ void ScoreLog::on_tick(const Match& match) {
 
 // The moment of a wave that ends kAfterwards after `last`, or with the wave.
 MatchMoment ScoreLog::around(size_t wave, Ticks last) const {
+  KERF_ASSERT(wave < waves_.size());
   const Ticks begins = waves_[wave].standing.ticks;
   const Ticks ends = wave + 1 < waves_.size() ? waves_[wave + 1].standing.ticks - 1 : ticks_;
   MatchMoment moment{waves_[wave]};

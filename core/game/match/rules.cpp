@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/document/text/fields.h"
 #include "core/document/text/json.h"
 
@@ -258,6 +259,7 @@ void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& bod
   }
   add_event({Event::Kind::kCut, victim, shooter, 0, id, at, cut.delta.removed_mass});
   if (victim == Event::kNobody) return;
+  KERF_ASSERT(victim < records_.size());
   Record& record = records_[victim];
   record.last_cut_by = shooter;
   record.changed = true;
@@ -265,6 +267,7 @@ void Tally::record_cut(size_t shooter, size_t victim, BodyId id, const Body& bod
 }
 
 void Tally::blame(size_t victim, size_t by) {
+  KERF_ASSERT(victim < records_.size());
   records_[victim].last_cut_by = by;
   records_[victim].changed = true;
 }
@@ -291,6 +294,7 @@ void Tally::record_piece(const Detached& piece, const Body& body, size_t victim,
 bool Tally::takes_assessment(size_t vehicle) { return std::exchange(records_[vehicle].changed, false); }
 
 void Tally::record_damage(const World& world, size_t index, const Vehicle& vehicle, const Damage& damage) {
+  KERF_ASSERT(index < records_.size() && vehicle.model);
   Record& record = records_[index];
   Event event{Event::Kind::kWheelLost, index, record.last_cut_by};
   const auto lost = [&](Event::Kind kind, BodyId body, size_t part, double points) {

@@ -95,6 +95,7 @@ constexpr double kHeatWidth = 0.025;  // m, next to a cut; a few faces
 constexpr double kMaxBeamStep = 6;  // radii, maximum motion of a point of the beam in one move
 
 CutSettings cut_settings(double radius, double length) {
+  KERF_ASSERT(radius > 0 && length >= 0);
   CutSettings settings;
   settings.laser.radius = radius;
   settings.laser.range = {0, length};
@@ -151,8 +152,14 @@ class Rest {
  public:
   Rest(const World& world, BodyId id, const FaceWatch& watch)
       : watch_(watch), left_(watch.areas_in(world.body(id))) {}
-  bool works(size_t group) const { return left_[group] >= kMinPart * watch_.area(group); }
-  double share(size_t group) const { return left_[group] / watch_.area(group); }
+  bool works(size_t group) const {
+    KERF_ASSERT(group < left_.size());
+    return left_[group] >= kMinPart * watch_.area(group);
+  }
+  double share(size_t group) const {
+    KERF_ASSERT(group < left_.size() && watch_.area(group) > 0);
+    return left_[group] / watch_.area(group);
+  }
 
  private:
   const FaceWatch& watch_;
@@ -192,6 +199,7 @@ void assess_gun(const World& world, Vehicle& vehicle, const Rest& chassis, Damag
 }
 
 void assess_vitals(Vehicle& vehicle, const Rest& chassis, Damage& damage) {
+  KERF_ASSERT(vehicle.vital_left.size() == vehicle.vital_works.size());
   for (size_t i = 0; i < vehicle.vital_works.size(); ++i) {
     vehicle.vital_left[i] = chassis.share(vehicle.model->vital(i));
     if (!vehicle.vital_works[i] || vehicle.vital_left[i] >= vehicle.min_vital) continue;
@@ -213,6 +221,7 @@ constexpr double kMaxReach = 1.6;                  // m
 
 Vehicle add_vehicle(World& world, const std::shared_ptr<const VehicleModel>& model,
                     const Placement& placement, uint32_t generation, Delta& delta) {
+  KERF_ASSERT(model);
   Vehicle vehicle;
   vehicle.model = model;
   vehicle.chassis = add(world, model->chassis, placement, generation, delta);
@@ -361,6 +370,7 @@ double area_of(const Body& body) {
 }
 
 Damage assess_damage(const World& world, Vehicle& vehicle) {
+  KERF_ASSERT(vehicle.model && vehicle.model->chassis_area > 0);
   Damage damage;
   const Rest chassis(world, vehicle.chassis, vehicle.model->chassis.watch);
   assess_wheels(world, vehicle, chassis, damage);
@@ -375,6 +385,7 @@ Damage assess_damage(const World& world, Vehicle& vehicle) {
 }
 
 Damage knock_off(const World& world, Vehicle& vehicle, const Vec3& at, double reach) {
+  KERF_ASSERT(reach >= 0);
   Damage damage;
   const Vec3 place = world.body(vehicle.chassis).placement.to_body(at);
   for (size_t i = 0; i < vehicle.wheels.size(); ++i) {

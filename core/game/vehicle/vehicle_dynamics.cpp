@@ -316,6 +316,7 @@ std::vector<Vec3> balls_of(const Extent& e) {
 
 // Removes the velocity of a point against a unit normal, and some of that across it.
 void stop(RigidMotion& motion, const Vec3& at, const Vec3& normal) {
+  KERF_ASSERT(is_unit(normal));
   const double against = -glm::dot(motion.velocity_at(at), normal);
   if (against <= 0) return;
   const double impulse = (1 + kRebound) * against / motion.response(at, normal);

@@ -181,6 +181,7 @@ class ModelLoader {
   // The chassis has the mass of all parts that it carries.
   void set_weight() {
     Body& chassis = model_->chassis.body;
+    KERF_ASSERT(chassis.loaded.area > 0);
     model_->chassis_area = chassis.loaded.area;
     chassis.sheet.density = what().mass / (chassis.loaded.area * chassis.sheet.thickness);
   }
@@ -242,6 +243,7 @@ double FaceWatch::area_in(size_t group, const Triangle& t) const {
 
 size_t FaceWatch::add(const Body& loaded, const std::vector<bool>& faces, const std::optional<Ball>& near) {
   KERF_ASSERT(areas_.size() < kMaxGroups && groups_of_.size() == loaded.mesh.face_slots());
+  KERF_ASSERT(faces.size() == groups_of_.size() && (!near || near->radius > 0));
   const size_t group = areas_.size();
   near_.push_back(near);
   double area = 0;

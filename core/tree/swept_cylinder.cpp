@@ -171,9 +171,9 @@ bool SweptCylinder::contains(const Triangle& t) const {
 template <typename Measure>
 double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
   const Interval depth = depth_contained();
-  const double beside = std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_;
+  const double lateral = std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_;
   const double beyond = std::max(seen.depth - depth.high, depth.low - seen.depth);
-  if (shift_ == 0 || beyond <= std::min(0.0, beside)) return measure(beside, beyond);
+  if (shift_ == 0 || beyond <= std::min(0.0, lateral)) return measure(lateral, beyond);
   const auto at = [&](double s) {
     const Vec2 offset = seen.start + s * (seen.end - seen.start);
     const double d = seen.depth - s * shift_;
@@ -192,8 +192,8 @@ double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const
 double SweptCylinder::overshoot(const Triangle& t) const {
   double most = 0;
   for (const Vec3& p : t) {
-    const auto distance = [](double beside, double beyond) {
-      return glm::length(Vec2(std::max(0.0, beside), std::max(0.0, beyond)));
+    const auto distance = [](double lateral, double beyond) {
+      return glm::length(Vec2(std::max(0.0, lateral), std::max(0.0, beyond)));
     };
     most = std::max(most, least_over_motion(see(p), distance));
   }
@@ -201,7 +201,7 @@ double SweptCylinder::overshoot(const Triangle& t) const {
 }
 
 double SweptCylinder::signed_distance(const Vec3& p) const {
-  return least_over_motion(see(p), [](double beside, double beyond) { return std::max(beside, beyond); });
+  return least_over_motion(see(p), [](double lateral, double beyond) { return std::max(lateral, beyond); });
 }
 
 SweptCylinder::Slab SweptCylinder::slab(Interval depths) const {

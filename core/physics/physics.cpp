@@ -24,7 +24,7 @@ namespace kerf {
 namespace {
 
 // Revision of Kerf's own motion code. Increase it with every change that alters the bits of a motion.
-constexpr int kRevision = 3;
+constexpr int kRevision = 4;
 
 // Returns the inverse of the inertia in world axes.
 glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) {
@@ -368,6 +368,15 @@ std::vector<MovingBody> Physics::moving_bodies(World& world, bool under_beam,
   return bodies;
 }
 
+void Physics::forget_outdated(ContactMemory& memory) const {
+  for (PairMemory& m : memory) {
+    if (!changed_.contains(m.first) && !changed_.contains(m.second)) continue;
+    m.points_of_first.clear();
+    m.points_of_second.clear();
+    m.impulses.clear();
+  }
+}
+
 Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody> guided,
                     std::span<const BodyId> carried) {
   KERF_ASSERT(std::ranges::is_sorted(carried));
@@ -416,6 +425,7 @@ Delta Physics::tick(World& world, bool under_beam, std::span<const KinematicBody
   ContactMemory memory = memory_after(bodies, before, search.pairs(), resting);
   pairs_ = std::move(search.pairs());
   remember_joints(bodies, joints, memory);
+  forget_outdated(memory);
   world.set_contact_memory(std::move(memory));
 
   Delta delta;

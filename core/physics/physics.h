@@ -20,7 +20,7 @@
 namespace kerf {
 
 // Returns the kind of machine on which motion is bit-identical: processor, C library, solver, and revision
-// of Kerf's own part, such as "x86_64 glibc-2.36 bullet-3.24 motion-2". The solver uses functions of the C
+// of Kerf's own part, such as "x86_64 glibc-2.36 bullet-3.24 motion-4". The solver uses functions of the C
 // library whose last bits may differ between kinds, and Debian's build of it for arm64 contains fused
 // multiply-adds: motion differs there from that on x86-64 (tests/run --arm64).
 std::string machine_kind();
@@ -111,6 +111,9 @@ class Physics {
   void update_caches(World& world, std::span<const BodyId> ids, bool under_beam);
   std::vector<MovingBody> moving_bodies(World& world, bool under_beam, std::span<const BodyId> carried);
   void forget_collider(BodyId id);
+  // Discards the contact details of bodies whose collider is older than their faces: they consist of indices
+  // of its points and chords, which the next collider numbers differently.
+  void forget_outdated(ContactMemory& memory) const;
 
   std::map<BodyId, Collider> colliders_;
   std::set<BodyId> changed_;  // bodies whose faces have changed since their collider was built

@@ -4,7 +4,10 @@
 
 #include "core/base/ids.h"
 #include "core/base/random.h"
+#include "core/edit/body_edit.h"
+#include "core/edit/separation.h"
 #include "core/physics/physics.h"
+#include "core/physics/sleep.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"
@@ -50,6 +53,37 @@ TEST(Contacts, of_a_removed_body_are_cleared) {
   world.body(plate).motion.wake();
   physics.tick(world);
   EXPECT_EQ(known(), 0);
+}
+
+TEST(Contacts, keep_no_details_of_a_collider_older_than_the_faces) {
+  World world = world_with_ground();
+  const BodyId table = test::add(world, test::rectangle(1, 1, 101), {0, 1, 0});
+  ASSERT_GT(world.body(table).mesh.live_faces(), Physics::kMaxUnderBeam);
+  world.body(table).pinned = true;
+  const BodyId plate = test::add(world, test::rectangle(0.5, 0.3, 4), {0, 1.003, 0});
+  const auto known = [&]() -> const PairMemory& {
+    const auto at = std::ranges::find_if(
+        world.contact_memory(), [&](const PairMemory& m) { return m.first == table && m.second == plate; });
+    EXPECT_NE(at, world.contact_memory().end());
+    return *at;
+  };
+  Physics physics;
+  for (int i = 0; i < 10; ++i) physics.tick(world);
+  const std::vector<FaceId> corner{FaceId(0)};
+  BodyEdit(world.body(table)).remove(corner);
+  settle(world.body(table));
+  Delta cut;
+  cut.bodies.push_back({table, {}, corner, {}, {}, {}});
+  physics.follow(cut);
+  forget_contacts(world, cut);
+  for (int i = 0; i < 3; ++i) physics.tick(world, true);
+  ASSERT_TRUE(physics.needs_collider(world, table, false));
+  EXPECT_TRUE(known().touching);
+  EXPECT_TRUE(known().points_of_first.empty() && known().points_of_second.empty());
+  EXPECT_TRUE(known().impulses.empty());
+  for (int i = 0; i < 3; ++i) physics.tick(world);
+  EXPECT_FALSE(physics.needs_collider(world, table, false));
+  EXPECT_FALSE(known().impulses.empty());
 }
 
 TEST(Tick, reports_unpinned_awake_bodies_as_moved) {

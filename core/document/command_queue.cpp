@@ -110,7 +110,10 @@ Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* pr
             },
         },
         step.commands().front());
-    if (delta) forget_contacts(world_, *delta);
+    if (delta) {
+      forget_contacts(world_, *delta);
+      follow_with_spring(world_, *delta);
+    }
   } catch (...) {
     if (std::optional<World::Change> change = recorder_.close(world_)) world_.exchange(*change);
     step.forget();

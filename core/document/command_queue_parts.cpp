@@ -10,18 +10,6 @@
 
 namespace kerf {
 
-namespace {
-
-// Updates the spring if the piece that it drags was detached as a body of its own.
-void follow_with_spring(World& world, const Delta& delta) {
-  if (!world.spring()) return;
-  Spring spring = *world.spring();
-  spring.piece = id_after(delta, spring.piece);
-  if (spring != *world.spring()) world.set_spring(spring);
-}
-
-}  // namespace
-
 size_t CommandQueue::waiting() const { return pending_.empty() && next_searches() ? 1 : pending_.size(); }
 
 size_t CommandQueue::next_prepared_faces() const {

@@ -272,9 +272,18 @@ void apply_spring(World& world, double seconds) {
   const std::optional<Spring>& spring = world.spring();
   if (!spring || !world.contains(spring->piece.body)) return;
   Body& body = world.body(spring->piece.body);
-  if (body.pinned || body.hidden) return;
+  const uint32_t label = spring->piece.label;
+  const bool exists = label < body.pieces.size() && body.pieces[label].faces > 0;
+  if (!exists || body.pinned || body.hidden) return;
   body.motion.wake();
   apply_spring(body, *spring, world.environment().metre, seconds);
+}
+
+void follow_with_spring(World& world, const Delta& delta) {
+  if (!world.spring()) return;
+  Spring spring = *world.spring();
+  spring.piece = id_after(delta, spring.piece);
+  if (spring != *world.spring()) world.set_spring(spring);
 }
 
 Physics::Physics() : solver_(std::make_unique<SolverMemory>()) {}

@@ -30,6 +30,9 @@ std::string machine_kind();
 // No-op without a spring, or if the piece does not exist, is pinned, hidden or has no mass.
 void apply_spring(World& world, double seconds);
 
+// Updates the spring of the world if a change detached its piece as a body of its own.
+void follow_with_spring(World& world, const Delta& delta);
+
 inline constexpr double kSpringFrequency =
     20;  // rad/s, of the undamped spring with the effective mass at the point
 inline constexpr double kMaxSpringAcceleration = 100;  // m/s^2

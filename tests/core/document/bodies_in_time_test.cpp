@@ -303,6 +303,19 @@ TEST_F(BodiesInTime, save_points_with_bodies_round_trip_exactly) {
   EXPECT_EQ(read->marks[0].clock, 50u);
 }
 
+TEST_F(BodiesInTime, a_spring_follows_a_piece_that_an_edit_detaches) {
+  const BodyId plate = world().ids().front();
+  cut(0.1);
+  document_.apply(DragBody{{plate, 1}, {0, 0, 0.3}, {0, 1, 0.3}});
+  run();
+  ASSERT_EQ(world().spring()->piece, (PieceId{plate, 1}));
+  apply(MovePiece{{plate, 1}, {{0, 0.7, 0}, {1, 0, 0, 0}}});
+  ASSERT_EQ(world().ids().size(), 2u);
+  EXPECT_EQ(world().spring()->piece, (PieceId{world().ids().back(), 1}));
+  apply(Undo{});
+  EXPECT_EQ(world().spring()->piece, (PieceId{plate, 1}));
+}
+
 TEST_F(BodiesInTime, a_spring_lifts_and_releases_a_plate) {
   const BodyId plate = world().ids().front();
   apply(Play{});

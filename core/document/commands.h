@@ -329,6 +329,12 @@ template <typename C>
 concept TimedCommand =
     std::same_as<C, AdvanceTime> || std::same_as<C, DragBody> || std::same_as<C, ReleaseBody>;
 
+// Returns true if bodies move in the time of a command.
+inline bool moves_bodies(const Command& command) {
+  const auto* advance = std::get_if<AdvanceTime>(&command);
+  return advance != nullptr && advance->bodies;
+}
+
 // Function objects for std::visit, one per kind of command or group of kinds.
 template <typename... Cases>
 struct Overloaded : Cases... {

@@ -235,10 +235,7 @@ namespace {
 // Returns true if bodies move in these commands of a step, so that pieces become bodies and take slots of
 // the world. Slots are never reused, and ids name them: they must not depend on the progress of a step.
 bool bodies_move_in(const std::vector<Command>& commands) {
-  return std::any_of(commands.begin(), commands.end(), [](const Command& command) {
-    const auto* advance = std::get_if<AdvanceTime>(&command);
-    return advance != nullptr && advance->bodies;
-  });
+  return std::any_of(commands.begin(), commands.end(), moves_bodies);
 }
 
 // Returns true if before-images can restore the world at the start of a step.

@@ -199,6 +199,16 @@ Json pairs_json(const std::vector<NearPair>& pairs) {
   return list;
 }
 
+// Returns true if bodies moved in time in a step of the history that is not undone.
+bool have_bodies_moved(const Document& document) {
+  if (document.world().clock() == 0) return false;
+  const UndoStack& history = document.history();
+  for (size_t i = 0; i < history.position(); ++i) {
+    if (std::ranges::any_of(history.step(i).commands(), moves_bodies)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<Journal> read_journal(const std::filesystem::path& file) {
@@ -244,7 +254,8 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
 StateMark state_mark(const Document& document) {
   KERF_ASSERT(!document.queue().in_stroke() && document.waiting() == 0);
   const World& world = document.world();
-  StateMark mark{document.journal().size(), state_hash(world), 0, {}, moved_bodies(world)};
+  const bool in_time = have_bodies_moved(document);
+  StateMark mark{document.journal().size(), state_hash(world), 0, {}, moved_bodies(world, in_time)};
   mark.looks = looks_hash(world);
   if (!mark.bodies.empty()) {
     mark.machine = machine_kind();

@@ -10,11 +10,6 @@ namespace kerf {
 
 namespace {
 
-bool moves_bodies(const Command& command) {
-  const auto* advance = std::get_if<AdvanceTime>(&command);
-  return advance != nullptr && advance->bodies;
-}
-
 // Returns true if a command may be part of a run after its first one.
 bool goes_on(const Command& command) {
   return moves_bodies(command) || std::holds_alternative<DragBody>(command) ||

@@ -109,11 +109,12 @@ MassProperties combine(const MassProperties& a, const MassProperties& b) {
   return both;
 }
 
-std::vector<BodyState> moved_bodies(const World& world) {
+std::vector<BodyState> moved_bodies(const World& world, bool in_time) {
   std::vector<BodyState> states;
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    if (body.motion != Motion{}) states.push_back({id, body.placement, body.motion});
+    const bool may_have_moved = in_time && body.placement != Placement{};
+    if (may_have_moved || body.motion != Motion{}) states.push_back({id, body.placement, body.motion});
   }
   return states;
 }

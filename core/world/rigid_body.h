@@ -202,8 +202,10 @@ struct NearPair {
   friend bool operator==(const NearPair&, const NearPair&) = default;
 };
 
-// Returns the states of the bodies that move or have moved. O(bodies).
-std::vector<BodyState> moved_bodies(const World& world);
+// Returns the states of the bodies that move or have moved. A body that was pinned or woken after it moved
+// has no motion, so if bodies have moved `in_time`, all bodies placed elsewhere than at the origin count.
+// O(bodies).
+std::vector<BodyState> moved_bodies(const World& world, bool in_time);
 
 // Get and set the pairs in World::contact_memory() without contact details; setting discards the details.
 // `pairs` are sorted by their bodies. O(pairs).

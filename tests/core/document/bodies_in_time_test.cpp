@@ -278,6 +278,27 @@ TEST_F(BodiesInTime, replay_reports_a_mark_with_bodies_before_the_first_command)
   EXPECT_EQ(state_hash(again.world()), state_hash(world()));
 }
 
+TEST_F(BodiesInTime, replay_from_another_machine_restores_a_body_that_was_pinned_after_it_fell) {
+  const BodyId plate = world().ids().front();
+  apply(Play{});
+  fall(50);
+  run();
+  apply(PinPiece{{plate, 0}});
+  Journal journal;
+  journal.commands = document_.journal();
+  mark_state(document_, journal.marks, true);
+  ASSERT_EQ(journal.marks.size(), 1u);
+  ASSERT_EQ(journal.marks[0].bodies.size(), 1u);
+  journal.marks[0].bodies[0].placement.position.x += 0.001;
+  World there = world();
+  there.body(plate).placement = journal.marks[0].bodies[0].placement;
+  journal.marks[0].hash = state_hash(there);
+  const Replayed again(journal, true, made_world());
+  EXPECT_EQ(again.replay.other_machine(), "another one");
+  EXPECT_FALSE(again.replay.cut_otherwise());
+  EXPECT_EQ(state_hash(again.document.world()), state_hash(there));
+}
+
 TEST_F(BodiesInTime, save_points_with_bodies_round_trip_exactly) {
   cut(0.1);
   apply(Play{});

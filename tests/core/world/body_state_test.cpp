@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/world/world.h"
 #include "tests/support/sheets.h"
 
@@ -16,13 +18,17 @@ TEST(BodyState, is_stored_for_bodies_that_move_or_have_moved) {
   world.body(moving).motion.velocity = {1, 0, 0};
   world.body(asleep).motion.asleep = true;
   world.body(quiet).motion.quiet = 1;
-  const std::vector<BodyState> states = moved_bodies(world);
+  const BodyId rest = test::add(world, test::rectangle(1, 1, 1), Vec3(0));
+  const std::vector<BodyState> states = moved_bodies(world, false);
   ASSERT_EQ(states.size(), 3u);
   EXPECT_EQ(states[0].id, moving);
   EXPECT_EQ(states[0].placement.position, Vec3(1, 2, 3));
   EXPECT_EQ(states[0].motion.velocity, Vec3(1, 0, 0));
   EXPECT_EQ(states[1].id, asleep);
   EXPECT_EQ(states[2].id, quiet);
+  const std::vector<BodyState> in_time = moved_bodies(world, true);
+  ASSERT_EQ(in_time.size(), 4u) << "the first one may have moved before it was pinned or woken";
+  EXPECT_TRUE(std::ranges::none_of(in_time, [&](const BodyState& s) { return s.id == rest; }));
 }
 
 TEST(StoredPairs, are_read_and_set_without_details) {

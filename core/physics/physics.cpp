@@ -299,6 +299,8 @@ void Physics::follow(const Delta& delta) {
   const bool faces_changed = std::any_of(delta.bodies.begin(), delta.bodies.end(), changes_faces);
   if (faces_changed || delta.changes_bodies()) joints_.reset();
   for (const BodyDelta& b : delta.bodies) changed_.insert(b.body);
+  // The walls of a body that became a sheet no longer mate.
+  changed_.insert(delta.mass_changed.begin(), delta.mass_changed.end());
   for (BodyId id : delta.created) forget_collider(id);
   for (BodyId id : delta.destroyed) forget_collider(id);
   for (const Detached& d : delta.detached) {

@@ -61,7 +61,7 @@ struct KinematicBody {
 // bodies do not touch each other.
 //
 // The entire state of the simulation lies in the world: placements, motions and World::contact_memory(). This
-// class only caches colliders and intact joints, which are functions of the faces, so a new instance
+// class only caches colliders and intact joints, which are functions of the bodies, so a new instance
 // continues bit-identically. There is one exception, because the collider of a large body takes longer to
 // build than a tick: within a history step, a body of more than kMaxUnderBeam faces keeps its collider while
 // the beam cuts it. Therefore a new instance continues identically only from the beginning of a history step;

@@ -7,6 +7,7 @@
 #include "core/cut/knife.h"
 #include "core/physics/physics.h"
 #include "core/physics/sleep.h"
+#include "core/world/body_mass.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"
 
@@ -131,6 +132,23 @@ TEST(Mating, labels_only_pieces_whose_walls_touch) {
   for (const double x : {-1.0, 0.5}) ASSERT_TRUE(cut_with_plane(world, {{1, 0, 0}, x}, ids).ok());
   EXPECT_EQ(mating_labels(world.body(box)).size(), 3u);
   EXPECT_FALSE(wall_corners(world.body(box)).empty());
+}
+
+TEST(Mating, ends_when_a_body_becomes_a_sheet) {
+  World world;
+  const BodyId box = test::add(world, test::closed_box({4, 1, 1}), Vec3(0));
+  world.body(box).solid = true;
+  const std::vector<BodyId> ids{box};
+  ASSERT_TRUE(cut_with_plane(world, {{1, 0, 0}, 0.5}, ids).ok());
+  Physics physics;
+  physics.tick(world);
+  ASSERT_FALSE(physics.colliders().at(box).wall_corners.empty());
+  make_solid(world.body(box), false);
+  Delta change;
+  change.mass_changed = ids;
+  physics.follow(change);
+  physics.tick(world);
+  EXPECT_TRUE(physics.colliders().at(box).wall_corners.empty());
 }
 
 }  // namespace

@@ -137,7 +137,8 @@ Result<Delta> CommandQueue::run(HistoryStep& step, size_t at, const Progress* pr
 Delta CommandQueue::undo(size_t step) {
   if (recorder_.step() == step) close();
   pending_.drop(step);
-  physics_ = Physics();
+  // An earlier step that is being executed keeps its colliders (see Physics).
+  if (!history_.step(step).waiting()) physics_ = Physics();
   return history_.step(step).undo(world_);
 }
 

@@ -40,6 +40,22 @@ MassProperties mass_of(const Body& body) {
   return combine(shell, sums.solids);
 }
 
+// Returns the inertia of a body with these bounds. Sums about the middle of the loaded body do not resolve
+// the inertia of a remnant less than a millionth of its size; what they yield may be negative. Such a remnant
+// gets the inertia of a cuboid. No inertia of a mass within the bounds exceeds the mass times the squared
+// diagonal, nor do principal moments violate the triangle inequality.
+glm::dmat3 resolved_inertia(const MassProperties& whole, const Bounds& bounds) {
+  constexpr double kNoise = 0.01;  // tolerance of the triangle inequality
+  const auto& m = whole.inertia;
+  const double most = std::max({m[0][0], m[1][1], m[2][2]}), trace = m[0][0] + m[1][1] + m[2][2];
+  const Vec3 size = bounds.max - bounds.min, squares = size * size;
+  const double diagonal2 = glm::dot(size, size);
+  if (most > 0 && most <= whole.mass * diagonal2 && 2 * most <= (1 + kNoise) * trace) return m;
+  glm::dmat3 cuboid(0.0);
+  for (int k = 0; k < 3; ++k) cuboid[k][k] = whole.mass / 12 * (diagonal2 - squares[k]);
+  return cuboid;
+}
+
 // Computes the principal axes by Jacobi rotations.
 void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   const auto& m = inertia;
@@ -60,7 +76,7 @@ RigidFrame rigid_frame(const Body& body) {
   RigidFrame frame;
   frame.mass = whole.mass;
   frame.centre = whole.centre;
-  if (whole.mass > 0) diagonalise(whole.inertia, frame);
+  if (whole.mass > 0) diagonalise(resolved_inertia(whole, body.bounds()), frame);
   KERF_ASSERT(!(whole.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
   return frame;
 }

@@ -39,6 +39,25 @@ TEST(RigidFrame, placement_round_trips) {
             1e-12);
 }
 
+// A plate that is left of a body of many kilometres.
+TEST(RigidFrame, of_a_tiny_remnant_has_the_inertia_of_its_bounds) {
+  for (const double far : {1e3, 1e4, 1e5}) {
+    SCOPED_TRACE(far);
+    Body body = make_body("speck", test::build(test::rectangle(1e-5, 2e-5, 2)));
+    body.loaded.max += Vec3(far, 0.7 * far, 0.4 * far);
+    update_mass_properties(body);
+    const RigidFrame frame = rigid_frame(body);
+    const double m = 2e-10 * 0.001 * 7850;
+    EXPECT_NEAR(frame.mass, m, 1e-3 * m);
+    std::array<double, 3> inertia{frame.inertia.x, frame.inertia.y, frame.inertia.z};
+    std::sort(inertia.begin(), inertia.end());
+    for (size_t i = 0; i < 3; ++i) {
+      const double expected = frame.mass / 12 * std::array{1e-10, 4e-10, 5e-10}[i];
+      EXPECT_NEAR(inertia[i], expected, 1e-6 * expected);
+    }
+  }
+}
+
 TEST(RigidFrame, of_a_solid_body_has_solid_mass_properties) {
   World world = test::world_of(test::brick({1, 2, 3}));
   Body& body = test::only_body(world);

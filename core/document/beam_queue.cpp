@@ -72,6 +72,7 @@ void Stroke::inherit(std::span<const Detached> detached) {
   for (const Detached& d : detached) {
     const auto at = swept.find(d.from);
     if (at != swept.end()) swept[d.to] = at->second;
+    if (settings.cuts(d.from) && !settings.cuts(d.to)) settings.bodies.push_back(d.to);
   }
 }
 

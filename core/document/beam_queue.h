@@ -35,7 +35,7 @@ struct Stroke {
   // begun, and no body has moved since.
   void cut_back(const World& world, size_t moves, const std::optional<BeamMove>& instead);
 
-  // Copies the swept volumes of bodies to the pieces detached from them.
+  // Copies the swept volumes of bodies to the pieces detached from them, which are cut if the bodies are.
   void inherit(std::span<const Detached> detached);
 
   // Records the motion of a body, from the placement `from`, under a stationary beam. Returns the resulting

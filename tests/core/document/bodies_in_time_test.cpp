@@ -437,26 +437,37 @@ TEST_F(BodiesInTime, a_still_beam_cuts_a_falling_plate_and_both_halves_keep_fall
   EXPECT_EQ(state_hash(world()), end);
 }
 
-TEST_F(BodiesInTime, a_smooth_rim_is_closed_in_pieces_that_fell_during_the_stroke) {
-  CutSettings smooth = settings();
-  smooth.laser.radius = 0.03;
-  smooth.resolution.rim = Rim::kSmooth;
-  const Vec3 down(0, -1, 0);
-  apply(PinPiece{{world().ids().front(), 0}, true});
-  apply(Play{});
-  apply(BeginStroke{smooth, {{-0.7, 3, 0.3}, down}});
-  apply(MoveBeam{{{0.7, 3, 0.3}, down}});
-  fall(20);
-  apply(EndStroke{});
-  fall(1);
-  run();
-  ASSERT_EQ(world().ids().size(), 2u);
-  // The slit is as wide as the beam in both: what is left is the plate without it.
-  double area = 0;
-  for (const BodyId id : world().ids())
-    area += world().body(id).pieces[0].area +
-            (world().body(id).pieces.size() > 1 ? world().body(id).pieces[1].area : 0);
-  EXPECT_NEAR(area, 1 - 2 * smooth.laser.radius, 1e-6);
+// Cuts a plate of which a piece falls during the stroke, and compares the area left.
+class FallingPiece : public BodiesInTime {
+ protected:
+  void expect_smooth_rims(std::vector<BodyId> bodies_to_cut) {
+    CutSettings smooth = settings();
+    smooth.laser.radius = 0.03;
+    smooth.resolution.rim = Rim::kSmooth;
+    smooth.bodies = std::move(bodies_to_cut);
+    const Vec3 down(0, -1, 0);
+    apply(PinPiece{{world().ids().front(), 0}, true});
+    apply(Play{});
+    apply(BeginStroke{smooth, {{-0.7, 3, 0.3}, down}});
+    apply(MoveBeam{{{0.7, 3, 0.3}, down}});
+    fall(20);
+    apply(EndStroke{});
+    fall(1);
+    run();
+    ASSERT_EQ(world().ids().size(), 2u);
+    // The slit is as wide as the beam in both: what is left is the plate without it.
+    double area = 0;
+    for (const BodyId id : world().ids())
+      area += world().body(id).pieces[0].area +
+              (world().body(id).pieces.size() > 1 ? world().body(id).pieces[1].area : 0);
+    EXPECT_NEAR(area, 1 - 2 * smooth.laser.radius, 1e-6);
+  }
+};
+
+TEST_F(FallingPiece, has_its_smooth_rim_closed_at_the_end_of_the_stroke) { expect_smooth_rims({}); }
+
+TEST_F(FallingPiece, is_cut_by_a_stroke_limited_to_the_body_that_it_came_off) {
+  expect_smooth_rims({world().ids().front()});
 }
 
 }  // namespace

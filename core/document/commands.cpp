@@ -122,8 +122,11 @@ void describe(Fields& f, DeletePiece& c) { piece_field(f, c.piece); }
 Result<Delta> DeletePiece::run(World& world, uint32_t generation, const Progress*) const {
   if (!has_faces(world, piece)) return no_such_piece(piece);
   Delta delta, change;
-  change.destroyed = {detach(world, piece, generation, delta)};
-  world.remove(change.destroyed.front());
+  const BodyId own = detach(world, piece, generation, delta);
+  const Body& body = world.body(own);
+  world.edit_energy().deleted += body.ejected + body.heat.stored(body.mesh);
+  world.remove(own);
+  change.destroyed = {own};
   delta.append(std::move(change));
   return delta;
 }

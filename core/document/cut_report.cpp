@@ -126,15 +126,11 @@ nlohmann::ordered_json to_json(const FittedStrokes& fit) {
 
 nlohmann::ordered_json energy_json(const World& world) {
   const EnergyLedger& ledger = world.energy();
-  double stored = 0, ejected = 0;
-  for (const BodyId id : world.ids()) {
-    const Body& body = world.body(id);
-    stored += body.heat.stored(body.mesh);
-    ejected += body.ejected;
-  }
-  nlohmann::ordered_json json = {{"emitted", ledger.emitted}, {"absorbed", ledger.absorbed},
-                                 {"ejected", ejected},        {"stored", stored},
-                                 {"lost", ledger.lost},       {"escaped", ledger.escaped}};
+  double stored = 0;
+  for (const BodyId id : world.ids()) stored += world.body(id).heat.stored(world.body(id).mesh);
+  nlohmann::ordered_json json = {
+      {"emitted", ledger.emitted}, {"absorbed", ledger.absorbed}, {"ejected", ejected_energy(world)},
+      {"stored", stored},          {"lost", ledger.lost},         {"escaped", ledger.escaped}};
   if (ledger.burnt > 0) json["burnt"] = ledger.burnt;
   return json;
 }

@@ -456,6 +456,12 @@ void cool_for_ticks(World& world, Ticks passed) {
   }
 }
 
+double ejected_energy(const World& world) {
+  double ejected = world.energy().deleted;
+  for (const BodyId id : world.ids()) ejected += world.body(id).ejected;
+  return ejected;
+}
+
 bool is_hot(const World& world) {
   return std::ranges::any_of(world.ids(), [&](BodyId id) {
     const Body& body = world.body(id);

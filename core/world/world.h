@@ -135,14 +135,15 @@ Body make_body(std::string name, BuiltMesh built);
 Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progress);
 
 // Balance of the energy emitted by beams (J): emitted = absorbed + escaped. Energy that was absorbed or came
-// from burning is stored in faces (FaceHeat::stored), was removed with faces (Body::ejected), or was lost to
-// the environment.
+// from burning is stored in faces (FaceHeat::stored), was removed with faces or bodies (see ejected_energy),
+// or was lost to the environment.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces
   double escaped = 0;   // reflected, or missed all faces
   double burnt = 0;     // additional heat of burning in oxygen
   double lost = 0;      // by convection and radiation
+  double deleted = 0;   // stored in deleted bodies, or ejected from them
   // Time for which beams of the thermal model were on (s), which determines the phase of pulses.
   double beam_on = 0;
   uint64_t poses = 0;  // number of poses from which rays were emitted; see turned_bundle
@@ -325,6 +326,9 @@ void cool_for_ticks(World& world, Ticks passed);
 
 // Conducts heat in one body, with losses to the environment, for a time (s, >= 0).
 void step_heat(World& world, BodyId id, double seconds);
+
+// Returns the energy removed with faces and with deleted bodies (J). O(bodies).
+double ejected_energy(const World& world);
 
 // Returns true if any face is hotter than the environment. O(blocks of faces that were ever hot).
 bool is_hot(const World& world);

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "core/document/document.h"
 #include "core/document/journal.h"
+#include "core/world/world.h"
+#include "tests/support/made_meshes.h"
+#include "tests/support/strokes.h"
 
 namespace kerf {
 namespace {
@@ -18,6 +22,19 @@ TEST(EnvironmentText, in_millimetres_round_trips) {
   }
   const nlohmann::json wrong = {{"do", "environment"}, {"gravity", {0, -1, 0}}, {"metre", 0}};
   EXPECT_FALSE(parse_command(JsonValue(wrong, "test"), {}, std::nullopt).ok());
+}
+
+TEST(DeletePiece, keeps_the_balance_of_energy) {
+  World world = test::world_of(test::brick({1, 2, 3}));
+  Body& body = test::only_body(world);
+  const BodyId id = world.ids().front();
+  body.heat.set_energy(body.mesh, FaceId(0), 3);
+  body.ejected = 2;
+  Document document(std::move(world));
+  ASSERT_TRUE(document.apply(DeletePiece{{id, 0}}).ok());
+  EXPECT_EQ(ejected_energy(document.world()), 5);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_EQ(ejected_energy(document.world()), 2);
 }
 
 }  // namespace

@@ -530,10 +530,8 @@ std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
 
 std::string energy_text(const World& world) {
   const EnergyLedger& ledger = world.energy();
-  double ejected = 0;
-  for (const BodyId id : world.ids()) ejected += world.body(id).ejected;
   return "Emitted " + energy_label(ledger.emitted) + ": " + energy_label(ledger.absorbed) + " absorbed, " +
-         energy_label(ejected) + " of it ejected";
+         energy_label(ejected_energy(world)) + " of it ejected";
 }
 
 void LaserHeatRows::draw_geometric(LaserControls& laser, FileUnit unit) {

@@ -47,10 +47,10 @@ MassProperties mass_of(const Body& body) {
 glm::dmat3 resolved_inertia(const MassProperties& whole, const Bounds& bounds) {
   constexpr double kNoise = 0.01;  // tolerance of the triangle inequality
   const auto& m = whole.inertia;
-  const double most = std::max({m[0][0], m[1][1], m[2][2]}), trace = m[0][0] + m[1][1] + m[2][2];
+  const double largest = std::max({m[0][0], m[1][1], m[2][2]}), trace = m[0][0] + m[1][1] + m[2][2];
   const Vec3 size = bounds.max - bounds.min, squares = size * size;
   const double diagonal2 = glm::dot(size, size);
-  if (most > 0 && most <= whole.mass * diagonal2 && 2 * most <= (1 + kNoise) * trace) return m;
+  if (largest > 0 && largest <= whole.mass * diagonal2 && 2 * largest <= (1 + kNoise) * trace) return m;
   glm::dmat3 cuboid(0.0);
   for (int k = 0; k < 3; ++k) cuboid[k][k] = whole.mass / 12 * (diagonal2 - squares[k]);
   return cuboid;
@@ -60,13 +60,13 @@ glm::dmat3 resolved_inertia(const MassProperties& whole, const Bounds& bounds) {
 void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   const auto& m = inertia;
   btMatrix3x3 matrix(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]), turn;
-  const double most = std::max({m[0][0], m[1][1], m[2][2]});
-  matrix.diagonalize(turn, 1e-12 * most, 50);
+  const double largest = std::max({m[0][0], m[1][1], m[2][2]});
+  matrix.diagonalize(turn, 1e-12 * largest, 50);
   frame.inertia = {matrix[0][0], matrix[1][1], matrix[2][2]};
   btQuaternion q;
   turn.getRotation(q);
   frame.axes = glm::normalize(glm::dquat(q.w(), q.x(), q.y(), q.z()));
-  frame.inertia = glm::max(frame.inertia, Vec3(kMinInertia * most));
+  frame.inertia = glm::max(frame.inertia, Vec3(kMinInertia * largest));
 }
 
 }  // namespace

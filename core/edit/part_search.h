@@ -122,7 +122,7 @@ class PartSearch {
   void assign_labels(SettleResult& result);
   void drop_largest(std::vector<uint32_t>& parts) const;
   void give_label(uint32_t part, SettleResult& result);
-  bool relabel(size_t most, SettleResult& result);
+  void relabel(size_t most, SettleResult& result);
   bool find_unlabelled(size_t most);
   void assign_label(FaceId f, uint32_t label, SettleResult& result);
   void move_moments(std::span<const FaceId> faces);

@@ -62,8 +62,8 @@ void PartSearch::give_label(uint32_t part, SettleResult& result) {
   body_.pieces.push_back({{front.faces, front.area}, {}, {front.faces, front.area}});
 }
 
-// Relabels faces in slot order. Returns true if all have their labels.
-bool PartSearch::relabel(size_t most, SettleResult& result) {
+// Relabels faces in slot order, and ends the search when all have their labels.
+void PartSearch::relabel(size_t most, SettleResult& result) {
   const bool complete = find_unlabelled(most - std::min(most, result.relabelled.size()));
   moved_from_.clear();
   const size_t first = result.relabelled.size();
@@ -79,10 +79,9 @@ bool PartSearch::relabel(size_t most, SettleResult& result) {
     for (int i = 0; i < pair.face_count; ++i) assign_label(pair.faces[i], label, result);
   }
   move_moments(std::span(result.relabelled).subspan(first));
-  if (!complete) return false;
+  if (!complete) return;
   search_.stage = OpenSearch::Stage::kNone;
   reset();
-  return true;
 }
 
 void PartSearch::assign_label(FaceId f, uint32_t label, SettleResult& result) {
@@ -141,7 +140,7 @@ void CutLoops::remove(FaceId f) {
   state_.is_inconclusive |= edges.others && state_.neighbours.size() > 1;
   const auto c = mesh_.corners(f);
   for (const VertexId v : c) meet(v);
-  const int joined = int{unite(c[0], c[1])} + int{unite(c[1], c[2])} + int{unite(c[2], c[0])};
+  const int joined = int{unite(c[0], c[1])} + int{unite(c[1], c[2])};
   const int more = edges.shared - 1 - joined;
   state_.loops += more;
   if (more > 0) state_.any_closed = true;

@@ -49,5 +49,27 @@ TEST_F(BurnTest, heats_the_next_sheet_after_faces_are_removed) {
   EXPECT_NEAR(heat_in(0) + heat_in(1) - upper - before, world_.energy().absorbed - absorbed, 1e-12);
 }
 
+TEST_F(BurnTest, heats_nothing_behind_a_sheet_that_absorbs_nothing) {
+  world_.body(bodies_[0].id).sheet.substance.absorptivity_fibre = 0;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
+  burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 1);
+  EXPECT_EQ(heat_in(0), 0);
+  EXPECT_EQ(heat_in(1), 0);
+  EXPECT_EQ(world_.energy().absorbed, 0);
+  EXPECT_NEAR(world_.energy().escaped, 1, 1e-12);
+}
+
+TEST_F(BurnTest, burns_a_sheet_next_to_a_cold_one) {
+  world_.body(bodies_[0].id).placement.position.x = 10;
+  settings_.laser.assist = Assist::kOxygen;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
+  for (int i = 0; i < 10'000 && world_.energy().burnt == 0; ++i) {
+    burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 0.1);
+    burn.burn(1e-8, 0.03);
+  }
+  EXPECT_GT(world_.energy().burnt, 0);
+  EXPECT_EQ(heat_in(0), 0);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -442,5 +442,25 @@ TEST(SmoothRim, is_conforming_and_accurate_on_real_meshes) {
   }
 }
 
+TEST(SmoothRim, measures_the_smallest_angle_of_all_faces_created) {
+  World world = world_of(plate(1));
+  const CutSettings settings = smooth_settings(0.02, 0.005);
+  const BeamMove move{{{-0.3, 1, 0.1}, {0, -1, 0}}, {{0.3, 1, 0.13}, {0, -1, 0}}};
+  ASSERT_TRUE(cut_whole(world, settings, {&move, 1}).ok());
+  const Progress unfinished{[](double done) {
+    EXPECT_LT(done, 1);
+    return true;
+  }};
+  const Result<StepResult> closed = close_rim(world, settings, {&move, 1}, {}, &unfinished);
+  ASSERT_TRUE(closed.ok());
+  double largest = -1;
+  for (const BodyDelta& body : closed->delta.bodies) {
+    for (const FaceId f : body.added)
+      largest = std::max(largest, largest_cosine(world.body(body.body).mesh.triangle(f)));
+  }
+  EXPECT_GT(largest, 0.5);
+  EXPECT_EQ(closed->statistics.largest_cosine, largest);
+}
+
 }  // namespace
 }  // namespace kerf::test

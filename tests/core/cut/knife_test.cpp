@@ -333,6 +333,29 @@ TEST(Knife, refuses_more_faces_than_allowed_and_changes_nothing) {
   expect_same_world(document.world(), before);
 }
 
+// The plane crosses 40 of the 800 faces of each sheet.
+TEST(Knife, cuts_several_bodies_within_a_limit_for_the_faces_that_it_crosses) {
+  World world;
+  for (int i = 0; i < 5; ++i) world.add(make_body("sheet", build(moved(grid(20, 1), {2.0 * i, 0, 0}, 1))));
+  const std::vector<BodyId> ids = world.ids();
+  const Result<StepResult> result = cut_with_plane(world, {{0, 0, 1}, 0.02}, ids, 800 + 4 * 40);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_EQ(result->delta.bodies.size(), ids.size());
+  for (const BodyId id : ids) EXPECT_EQ(faces_by_piece(world.body(id), true).size(), 2u);
+}
+
+// A fold that stands on the plane, with a face without area between its two sides.
+TEST(Knife, leaves_a_fold_whole_that_touches_the_plane_in_a_face_without_area) {
+  Soup fold;
+  fold.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 1}, {1, 1, -1}};
+  fold.triangles = {{0, 2, 3}, {2, 0, 1}, {1, 0, 4}, {2, 1, 4}};
+  fold.triangles_in_file = fold.faces_in_file = fold.triangles.size();
+  World world = world_of(fold);
+  cut(world, KnifePlane{{0, 1, 0}, 0});
+  EXPECT_EQ(only_body(world).mesh.live_faces(), 4u);
+  EXPECT_EQ(faces_by_piece(only_body(world), true).size(), 1u);
+}
+
 TEST(Knife, reports_an_open_solid) {
   Soup soup = brick({1, 1, 1});
   soup.triangles.pop_back();
@@ -420,6 +443,32 @@ TEST(KnifePath, of_a_closed_outline_cuts_a_prism) {
   const auto pieces = faces_by_piece(body, false);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_NEAR(extract_faces(body, pieces[1]).area, 0.25, 1e-14);
+}
+
+TEST(KnifePath, of_random_outlines_cuts_prisms) {
+  Random random(8);
+  for (size_t run = 0; run < runs(20); ++run) {
+    SCOPED_TRACE(run);
+    std::vector<Vec2> outline;
+    const uint64_t corners = 3 + random.below(5);
+    for (uint64_t i = 0; i < corners; ++i) {
+      const double radius = random.uniform(0.15, 0.4);
+      const auto [sin, cos] =
+          sin_cos(2 * kPi * (static_cast<double>(i) + 0.3) / static_cast<double>(corners));
+      outline.emplace_back(0.5 + radius * cos, 0.5 + radius * sin);
+    }
+    outline.push_back(outline.front());
+    double area = 0;
+    for (size_t i = 1; i < outline.size(); ++i)
+      area += 0.5 * (outline[i - 1].x * outline[i].y - outline[i].x * outline[i - 1].y);
+    World solid = solid_world(brick({1, 1, 1}));
+    const Delta delta = cut(solid, path_from_above(outline));
+    ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+    const std::vector<double> found = volumes(only_body(solid));
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_NEAR(found[0], area, 1e-12);
+    EXPECT_NEAR(found[1], 1 - area, 1e-12);
+  }
 }
 
 TEST(KnifePath, leaves_what_it_does_not_pass_through_connected) {

@@ -11,8 +11,9 @@
 namespace kerf {
 namespace {
 
-// A stroke by hand: the beam goes on by little, from an apex or beside itself.
-std::vector<BeamMove> wandering_moves(Random& random, bool from_apex) {
+// A stroke by hand: the beam goes on by little, from an apex or beside itself, and by up to `along` along
+// itself.
+std::vector<BeamMove> wandering_moves(Random& random, bool from_apex, double along = 0) {
   const auto any = [&](double most) { return random.uniform(-most, most); };
   std::vector<BeamMove> moves;
   Pose pose{Vec3(any(1), 5, any(1)), glm::normalize(Vec3(any(0.2), -1, any(0.2)))};
@@ -23,6 +24,7 @@ std::vector<BeamMove> wandering_moves(Random& random, bool from_apex) {
     } else {
       next.origin += Vec3(any(0.1), 0, any(0.1));
     }
+    if (along > 0) next.origin += any(along) * pose.direction;
     moves.push_back({pose, next});
     pose = next;
   }
@@ -51,8 +53,9 @@ TEST(SweptDistance, is_the_minimum_over_all_parts) {
   for (uint64_t seed = 1; seed <= runs(300); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const std::vector<BeamMove> moves =
-        seed % 3 == 2 ? turning_moves(random) : wandering_moves(random, seed % 3 == 0);
+    const std::vector<BeamMove> moves = seed % 4 == 2   ? turning_moves(random)
+                                        : seed % 4 == 3 ? wandering_moves(random, false, 1)
+                                                        : wandering_moves(random, seed % 4 == 0);
     StrokeRegion region;
     for (const BeamMove& m : moves) region.add(SweptCylinder(m.from, m.to, 0.05, {0.5, 9}));
     const SweptDistance distance(region, moves);

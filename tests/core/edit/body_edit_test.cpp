@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/edit/detach.h"
+#include "core/mesh/measures.h"
+#include "core/world/body_mass.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/mesh_numbers.h"
 #include "tests/support/piece_sums.h"
@@ -106,6 +108,101 @@ TEST(BodyEdit, reports_each_changed_slot_once) {
   EXPECT_FALSE(delta.added.empty());
   for (const FaceId added : delta.added) EXPECT_TRUE(body.mesh.is_live(added));
   EXPECT_FALSE(edit.any());
+}
+
+TEST(BodyEdit, updates_halvings_and_volume_when_a_vertex_moves) {
+  World world = world_of(brick({1, 1, 1}));
+  Body& body = only_body(world);
+  make_solid(body, true);
+  const Mesh before = body.mesh;
+  VertexId corner;
+  for (uint32_t v = 0; v < before.vertex_slots(); ++v) {
+    if (before.position(VertexId(v)) == Vec3(1)) corner = VertexId(v);
+  }
+  Mesh::Star star;
+  before.star(corner, star);
+  BodyEdit edit(body);
+  edit.move_vertex(corner, {0.7, 0.1, 0.8}, star);
+  int64_t most = 0;
+  for (const FaceId f : star.faces) {
+    const double ratio = triangle_area(before.triangle(f)) / triangle_area(body.mesh.triangle(f));
+    const int64_t halvings = std::max<int64_t>(0, std::llround(std::log2(ratio)));
+    EXPECT_EQ(body.mesh.data(f).halvings, halvings);
+    most = std::max(most, halvings);
+  }
+  EXPECT_GT(most, 0);
+  const double lost =
+      enclosed_volume(before, body.middle()).volume - enclosed_volume(body.mesh, body.middle()).volume;
+  EXPECT_GT(lost, 0.1);
+  EXPECT_NEAR(edit.solid().removed_volume, lost, 1e-14);
+}
+
+// The faces of one column of a grid of 12 cells of size 1.
+std::vector<FaceId> column_of_grid(const Mesh& mesh, int column) {
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    const Triangle t = mesh.triangle(FaceId(f));
+    const double middle = (t[0].x + t[1].x + t[2].x) / 3;
+    if (std::floor((middle + 0.5) * 12) == column) faces.emplace_back(f);
+  }
+  return faces;
+}
+
+TEST(BodyEdit, shrinks_the_bounds_with_the_tree) {
+  Body body = make_body("grid", build(grid(12, 1)));
+  BodyEdit edit(body);
+  edit.remove(column_of_grid(body.mesh, 11));
+  edit.update_tree();
+  EXPECT_NEAR(body.bounds().max.x, 0.5 - 1.0 / 12, 1e-15);
+  EXPECT_EQ(body.bounds().min.x, -0.5);
+}
+
+TEST(BodyEdit, lists_relabelled_faces_of_several_searches_in_order) {
+  Body body = make_body("grid", build(grid(12, 1)));
+  BodyEdit edit(body);
+  for (const int column : {8, 2}) {
+    edit.remove(column_of_grid(body.mesh, column));
+    edit.update_tree();
+    edit.separate(kNoLimit);
+  }
+  const std::vector<FaceId> relabelled = edit.take_delta({0, 0}).relabelled;
+  EXPECT_EQ(relabelled.size(), 24u * (3 + 2)) << "the columns beyond each cut";
+  EXPECT_TRUE(std::is_sorted(relabelled.begin(), relabelled.end()));
+}
+
+// Flips an edge between two pieces, if there is one.
+bool flip_between_pieces(Body& body) {
+  std::vector<Mesh::Side> sides;
+  for (uint32_t slot = 0; slot < body.mesh.face_slots(); ++slot) {
+    const FaceId f(slot);
+    if (!body.mesh.is_live(f)) continue;
+    const auto c = body.mesh.corners(f);
+    for (size_t i = 0; i < 3; ++i) {
+      const VertexId from = c[i], to = c[(i + 1) % 3];
+      sides.clear();
+      body.mesh.append_edge_sides(f, from, to, sides);
+      if (sides.empty() || body.mesh.data(sides[0].face).piece == body.mesh.data(f).piece) continue;
+      if (!body.mesh.can_flip_edge(f, from, to)) continue;
+      BodyEdit(body).flip_edge(f, from, to);
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(BodyEdit, keeps_moments_of_pieces_when_an_edge_flips_while_faces_are_relabelled) {
+  for (const size_t most : {7u, 20u, 33u}) {
+    SCOPED_TRACE(most);
+    Body body = make_body("grid", build(grid(12, 1)));
+    BodyEdit(body).remove(column_of_grid(body.mesh, 8));
+    bool has_flipped = false;
+    do {
+      settle(body, most);
+      if (!is_settled(body) && !has_flipped) has_flipped = flip_between_pieces(body);
+    } while (!is_settled(body));
+    EXPECT_TRUE(has_flipped);
+    ASSERT_NO_FATAL_FAILURE(expect_piece_sums(body));
+  }
 }
 
 }  // namespace

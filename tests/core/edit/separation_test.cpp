@@ -330,5 +330,28 @@ TEST(Separation, does_not_connect_across_a_vertex) {
   EXPECT_EQ(label_components(build(soup).mesh, label), 2u);
 }
 
+// Most faces lie on one side of the cut, but most of the area on the other.
+TEST(Separation, keeps_the_label_on_the_largest_part_if_it_has_fewer_faces) {
+  constexpr int kCells = 120, kColumn = 40;
+  Soup soup = grid(kCells, 2);
+  const double edge = 2.0 * (kColumn + 1) / kCells - 1;
+  for (Vec3& p : soup.positions) {
+    if (p.x > edge) p.x = edge + 0.1 * (p.x - edge);
+  }
+  const Body whole = make_body("strip", build(soup));
+  for (const EditPolicy policy : {EditPolicy::kAllowEdits, EditPolicy::kNoEdits}) {
+    Body body = whole;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+      const Triangle t = body.mesh.triangle(FaceId(f));
+      const double middle = (t[0].x + t[1].x + t[2].x) / 3;
+      if (middle < edge && middle > edge - 2.0 / kCells) remove_face(body, FaceId(f));
+    }
+    ASSERT_EQ(settle(body, kNoLimit, policy).new_pieces.size(), 1u);
+    EXPECT_EQ(body.mesh.data(FaceId(0)).piece, 0u);
+    EXPECT_EQ(body.pieces[0].faces, 2u * kCells * kColumn);
+    EXPECT_EQ(body.pieces[1].faces, 2u * kCells * (kCells - kColumn - 1));
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

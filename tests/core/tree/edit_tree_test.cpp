@@ -11,10 +11,12 @@
 namespace kerf::test {
 namespace {
 
-// Every box with the boxes below it, from for_each_box's order.
+// Every box with the boxes below it, from for_each_box's order, and their number.
 void expect_boxes_nest(const AabbTree& tree, const Mesh& mesh) {
   std::vector<AabbTree::Box> above;
+  size_t boxes = 0;
   tree.for_each_box(mesh, [&](const AabbTree::Box& box) {
+    ++boxes;
     above.resize(static_cast<size_t>(box.depth));
     if (!above.empty()) {
       for (int k = 0; k < 3; ++k) {
@@ -24,6 +26,7 @@ void expect_boxes_nest(const AabbTree& tree, const Mesh& mesh) {
     }
     above.push_back(box);
   });
+  EXPECT_EQ(boxes, tree.box_count());
 }
 
 std::vector<RayHit> brute_crossings(const Mesh& mesh, const Pose& ray, Interval range) {
@@ -126,7 +129,8 @@ void expect_answers_as_brute_force(Edited& e, Random& random) {
     std::vector<Pose> rays;
     for (int r = 0; r < 1 + i % 4; ++r) {
       const Vec3 at = e.centre + 0.2 * e.size * random_direction(random) + 0.01 * r * e.size * sideways;
-      rays.push_back({at - e.size * axis, axis});
+      // Outside of the mesh, or anywhere.
+      rays.push_back({at - (i < 4 ? 1.0 : random.uniform(-0.3, 1)) * e.size * axis, axis});
     }
     std::vector<std::vector<RayHit>> brute_hits;
     for (const Pose& ray : rays) brute_hits.push_back(brute_crossings(e.mesh, ray, range));
@@ -218,6 +222,18 @@ TEST(TreeEdits, all_queries_equal_brute_force_with_added_faces) {
         ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
       }
     }
+  }
+}
+
+// More faces than one thread sorts.
+TEST(TreeEdits, all_queries_equal_brute_force_in_a_large_mesh) {
+  Edited e(torus(160, 120, 1, 0.4));
+  Random random(67);
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_EQ(e.best().leaf_count(), e.mesh.live_faces());
+    expect_boxes_nest(e.best(), e.mesh);
+    ASSERT_NO_FATAL_FAILURE(expect_answers_as_brute_force(e, random));
+    edit_at_random(e, random);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/tree/aabb_tree.h"
 #include "tests/support/real_meshes.h"
 #include "tests/support/strokes.h"
@@ -18,6 +20,20 @@ TEST(SideOf, is_exact_if_products_round_alike) {
   EXPECT_EQ(side_of({3, 5}, {6, 10}), 0);
   EXPECT_EQ(side_of({0, 5}, {7, 0}), -1);
   EXPECT_EQ(side_of({0, 0}, {7, 1}), 0);
+}
+
+// x (y + 1) and (x + 1) y differ by x - y, which is less than half a unit of their last place.
+TEST(SideOf, is_exact_for_integers_of_53_bits) {
+  Random random(10);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = std::floor(random.uniform(0x1p52, 0x1p53 - 1)),
+                 y = std::floor(x - random.uniform(-0x1p50, 0x1p50));
+    if (y < 0x1p52 || y > 0x1p53 - 2) continue;
+    const int expected = x > y ? 1 : x < y ? -1 : 0;
+    const double scale = std::ldexp(1, static_cast<int>(random.below(600)) - 300);
+    EXPECT_EQ(side_of({scale * x, scale * (x + 1)}, {y, y + 1}), expected);
+    EXPECT_EQ(side_of({-scale * x, scale * (x + 1)}, {-y, y + 1}), -expected);
+  }
 }
 
 TEST(SideOf, is_exact_if_products_underflow_or_overflow) {

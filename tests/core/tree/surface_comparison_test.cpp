@@ -6,6 +6,7 @@
 
 #include "core/base/deterministic_math.h"
 #include "core/mesh/measures.h"
+#include "core/tree/point_fit.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -91,6 +92,11 @@ TEST(SurfaceComparison, has_the_sign_of_the_side_of_a_sphere) {
     }
     const auto& bins = found.signed_by->histogram;
     EXPECT_EQ(std::accumulate(bins.begin(), bins.end(), size_t{0}), SurfaceComparison::kSamples);
+    const double width = (found.signed_by->max - found.signed_by->min) / SurfaceComparison::kBins;
+    double sum = 0;
+    for (size_t i = 0; i < bins.size(); ++i)
+      sum += static_cast<double>(bins[i]) * (found.signed_by->min + (static_cast<double>(i) + 0.5) * width);
+    EXPECT_NEAR(sum / SurfaceComparison::kSamples, found.signed_by->mean, 0.5 * width + 1e-12);
   }
 }
 
@@ -161,6 +167,26 @@ TEST(SurfaceAlignment, stops_when_cancelled) {
   const Progress stop{[](double) { return false; }};
   EXPECT_FALSE(align_surfaces(one.surface(), other.surface(), Alignment::kIcp, &stop));
   EXPECT_FALSE(compare_surfaces(one.surface(), other.surface(), true, {}, &stop));
+}
+
+TEST(PointFit, recovers_a_rigid_motion_of_points) {
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const RigidMotion motion = random_motion(random, kPi, 20);
+    std::vector<std::pair<Vec3, Vec3>> pairs;
+    for (uint64_t i = 4 + random.below(5); i > 0; --i) {
+      const Vec3 p(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+      pairs.emplace_back(p, motion.apply(p));
+    }
+    ASSERT_TRUE(determine_motion(pairs));
+    const RigidMotion found = fit_points(pairs);
+    for (const auto& [from, to] : pairs) EXPECT_LT(glm::distance(found.apply(from), to), 1e-9);
+    pairs.resize(2);
+    EXPECT_FALSE(determine_motion(pairs));
+    pairs.emplace_back(0.5 * (pairs[0].first + pairs[1].first), 0.5 * (pairs[0].second + pairs[1].second));
+    EXPECT_FALSE(determine_motion(pairs)) << "points on a line";
+  }
 }
 
 }  // namespace

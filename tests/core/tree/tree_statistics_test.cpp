@@ -85,6 +85,7 @@ TEST(TreeStatistics, count_every_box_and_the_faces_that_splits_made) {
   TreeStatistics twice = statistics;
   twice.add(statistics);
   EXPECT_EQ(twice.cost(), 2 * statistics.cost());
+  EXPECT_EQ(twice.edited(), 2 * split);
 }
 
 TEST(PathTo, leads_from_the_root_to_the_box_of_the_face) {

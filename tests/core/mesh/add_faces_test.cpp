@@ -334,5 +334,37 @@ TEST(AddFaces, keeps_edges_splittable) {
   }
 }
 
+TEST(SheetSides, have_no_face_across_on_their_sheet) {
+  for (const auto& [name, soup] : mesh_classes()) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = build(soup).mesh;
+    size_t sides = 0;
+    for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
+      const FaceId f(slot);
+      std::vector<SheetSide> own;
+      std::vector<FaceId> beside, expected;
+      append_sheet_sides_of(mesh, f, own);
+      append_sheet_neighbours(mesh, f, beside);
+      size_t i = 0;
+      for (const SheetEdge& edge : sheet_edges_of(mesh, f)) {
+        if (edge.across.valid()) {
+          expected.push_back(edge.across);
+          continue;
+        }
+        ASSERT_LT(i, own.size());
+        EXPECT_TRUE(own[i].side.face == f && own[i].side.from == edge.from && own[i].side.to == edge.to &&
+                    own[i].is_shared == edge.is_shared);
+        ++i;
+      }
+      EXPECT_EQ(i, own.size());
+      EXPECT_EQ(beside, expected);
+      sides += i;
+    }
+    std::vector<SheetSide> all;
+    append_sheet_sides_in(mesh, 0, mesh.edge_slots() + 3, all);
+    EXPECT_EQ(all.size(), sides);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

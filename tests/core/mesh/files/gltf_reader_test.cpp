@@ -211,6 +211,29 @@ TEST(Gltf, written_files_round_trip_at_any_position) {
   }
 }
 
+TEST(Gltf, a_written_hull_is_read_back_after_its_mesh) {
+  const std::vector<Vec3> positions{{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+  NodeCollider collider;
+  collider.name = "piece hull";
+  collider.positions = {{5, 0, -1}, {6, 0, -1}, {5.5, 1, -1}, {5.5, 0.5, 1}};
+  collider.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  MeshView view{positions, triangles, {}, {}};
+  view.collider = &collider;
+  for (const MeshFormat format : {MeshFormat::kGlb, MeshFormat::kGltf}) {
+    const auto soup = read_gltf(encoded(view, format), "a");
+    ASSERT_TRUE(soup.ok()) << soup.error().message;
+    ASSERT_EQ(soup->triangles.size(), 6u);
+    for (size_t t = 0; t < 6; ++t) {
+      for (size_t i = 0; i < 3; ++i) {
+        const Vec3& expected =
+            t < 2 ? positions[triangles[t][i]] : collider.positions[collider.triangles[t - 2][i]];
+        EXPECT_LT(glm::distance(soup->positions[soup->triangles[t][i]], expected), 1e-6);
+      }
+    }
+  }
+}
+
 TEST(Base64, round_trips) {
   Random random(3);
   std::string bytes;

@@ -62,7 +62,7 @@ TEST(LooksOfObj, have_values_per_corner) {
 
 TEST(LooksOfObj, damaged_references_yield_a_warning) {
   const auto soup = read_obj(
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt one two\nvt 0\nvn 1 2\nf 1/1/1 2/2/1 3/9/1\nf 3/-7/1 2//2 1/2/\n",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt one two\nvt 0\nvn 1 2\nf 1/1/1 2/2/1 3/9/1\nf 3/-3/1 2//2 1/2/\n",
       "a.obj");
   ASSERT_TRUE(soup.ok());
   ASSERT_EQ(soup->warnings.size(), 1u);
@@ -70,6 +70,32 @@ TEST(LooksOfObj, damaged_references_yield_a_warning) {
   const auto built = build_mesh(*soup);
   ASSERT_TRUE(built.ok());
   EXPECT_EQ(built->looks, nullptr);
+}
+
+TEST(LooksOfObj, of_faces_with_numbers_that_are_not_finite_are_left_out_with_a_note) {
+  const auto notes = [](const std::string& faces) {
+    const auto soup =
+        read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 1\nvt nan 0\n" + faces, "a.obj");
+    const auto built = build_mesh(*soup);
+    EXPECT_TRUE(built.ok());
+    return built->report.warnings;
+  };
+  const std::string good = "f 1/1 3/1 4/1\n", bad = "f 1/1 2/1 3/2\n", other = "f 3/2 2/1 5/1\n";
+  EXPECT_EQ(notes(good), std::vector<std::string>{});
+  EXPECT_EQ(notes(good + bad), (std::vector<std::string>{"1 face has a UV or a normal that is not a finite "
+                                                         "number and loses it."}));
+  EXPECT_EQ(notes(good + bad + other), (std::vector<std::string>{"2 faces have UVs or normals that are not "
+                                                                 "finite numbers and lose them."}));
+}
+
+TEST(LooksOfObj, are_written_as_the_numbers_of_each_line) {
+  const auto soup =
+      read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\n", "a.obj");
+  ASSERT_TRUE(soup.ok());
+  MeshView view{soup->positions, soup->triangles, {}, {}};
+  view.looks = &soup->looks;
+  EXPECT_EQ(encoded(view, MeshFormat::kObj),
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\n");
 }
 
 TEST(LooksOfObj, are_empty_without_attributes) {
@@ -299,6 +325,22 @@ TEST(LooksOfPly, are_read_per_vertex_or_per_corner) {
   }
 }
 
+TEST(LooksOfPly, are_read_per_corner_after_strips_without_them) {
+  const auto soup = read_ply(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nelement face 1\n"
+      "property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 2 1 0 6 0.5 1 0 1 0.25 0\n",
+      "a.ply");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  ASSERT_EQ(soup->looks.uv_sets.size(), 1u);
+  const auto& uvs = soup->looks.uv_sets[0];
+  ASSERT_EQ(uvs.corners.size(), 2u);
+  EXPECT_EQ(uvs.corners[0], (std::array<uint32_t, 3>{uvs.kNone, uvs.kNone, uvs.kNone}));
+  const std::vector<glm::vec2> all = values_of(uvs);
+  EXPECT_EQ(std::vector(all.begin() + 3, all.end()), (std::vector<glm::vec2>{{0.5f, 1}, {0, 1}, {0.25f, 0}}));
+}
+
 TEST(LooksOfPly, have_a_material_with_the_name_of_the_image) {
   const TemporaryFolder folder;
   const std::string elements =
@@ -366,6 +408,7 @@ TEST(GltfSurfaces, leave_out_images_of_mtl_other_than_png_and_jpeg) {
   EXPECT_EQ(out.sources, std::vector<const SurfaceImage*>{&library.images[1]});
   EXPECT_FALSE(out.materials[0]["pbrMetallicRoughness"].contains("baseColorTexture"));
   EXPECT_EQ(out.materials[0]["emissiveTexture"]["index"], 0);
+  EXPECT_EQ(out.materials[0]["pbrMetallicRoughness"]["roughnessFactor"], 1) << "without Ns";
   EXPECT_EQ(lost_in_gltf(library, library.materials[0]), std::vector<std::string>{"map_Kd"});
   EXPECT_EQ(gltf_surfaces(used, MissingImages::kKeep).sources.size(), 2u);
 }
@@ -400,6 +443,24 @@ TEST(MtlLines, have_the_opacity_of_the_alpha_mode) {
     EXPECT_EQ(text_with("d", lines), translucent ? "d 0.25" : "d 1") << mode;
     EXPECT_EQ(text_with("map_d", lines), translucent ? "map_d " : "") << mode;
   }
+}
+
+TEST(SurfaceLooks, have_the_image_of_each_map) {
+  SurfaceLibrary library;
+  for (const char* name : {"a", "b", "c", "d", "e"}) library.images.push_back({name, "", "image/png", kPng});
+  for (int i = 4; i >= 0; --i) library.textures.push_back(R"({"source":)" + std::to_string(i) + "}");
+  library.materials = {
+      {{},
+       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":1}},)"
+       R"("normalTexture":{"index":2},"occlusionTexture":{"index":3},"emissiveTexture":{"index":4}})"}};
+  const auto looks = surface_looks(library);
+  ASSERT_TRUE(looks.size() == 1 && looks[0]);
+  const auto image = [&](SurfaceMap map) { return looks[0]->maps[static_cast<size_t>(map)]; };
+  EXPECT_EQ(image(SurfaceMap::kBase), 4u);
+  EXPECT_EQ(image(SurfaceMap::kMetallicRoughness), 3u);
+  EXPECT_EQ(image(SurfaceMap::kNormal), 2u);
+  EXPECT_EQ(image(SurfaceMap::kOcclusion), 1u);
+  EXPECT_EQ(image(SurfaceMap::kEmission), 0u);
 }
 
 TEST(SurfaceLooks, convert_specular_glossiness_to_metallic_roughness) {

@@ -9,6 +9,7 @@
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
 #include "core/mesh/files/readers.h"
+#include "core/mesh/files/three_mf_internal.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/core/mesh/files/sample_files.h"
 
@@ -205,6 +206,15 @@ TEST(ThreeMf, is_read_back_as_written) {
   }
 }
 
+TEST(ThreeMf, a_single_material_is_read_back_as_written) {
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}};
+  const std::vector<std::string> names{"steel"};
+  const auto soup = read_3mf(encoded({positions, triangles, {}, names}, MeshFormat::k3mf), "a.3mf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  EXPECT_EQ(soup->material_names, names);
+}
+
 TEST(ThreeMf, opaque_materials_of_gltf_have_no_opacity) {
   const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}};
@@ -252,6 +262,40 @@ std::string deflated(const std::string& content) {
   packed.resize(stream.total_out);
   deflateEnd(&stream);
   return packed;
+}
+
+// An archive of one stored file, whose numbers follow in the second of its extra fields.
+TEST(ThreeMf, entries_of_long_archives_are_found) {
+  std::string bytes, directory, extra;
+  append_little(uint32_t{0x04034b50}, bytes);
+  bytes.append(22, '\0');
+  for (const int length : {1, 0}) append_little(static_cast<uint16_t>(length), bytes);
+  bytes += "ahello";
+  append_little(uint32_t{0x02014b50}, directory);
+  directory.append(16, '\0');
+  for (int i = 0; i < 2; ++i) append_little(uint32_t{0xffffffff}, directory);
+  for (const int field : {0x5455, 1}) append_little(static_cast<uint16_t>(field), extra);
+  extra += 'x';
+  for (const int field : {1, 24}) append_little(static_cast<uint16_t>(field), extra);
+  for (const uint64_t number : {5u, 5u, 0u}) append_little(number, extra);
+  for (const size_t length : {size_t{1}, extra.size(), size_t{0}})
+    append_little(static_cast<uint16_t>(length), directory);
+  directory.append(8, '\0');
+  append_little(uint32_t{0xffffffff}, directory);
+  directory += "a" + extra;
+  const auto start = static_cast<uint32_t>(bytes.size()), size = static_cast<uint32_t>(directory.size());
+  bytes += directory;
+  append_little(uint32_t{0x06054b50}, bytes);
+  for (const int field : {0, 0, 1, 1}) append_little(static_cast<uint16_t>(field), bytes);
+  append_little(size, bytes);
+  append_little(start, bytes);
+  append_little(uint16_t{0}, bytes);
+  const auto entries = zip_entries(bytes, "a.3mf");
+  ASSERT_TRUE(entries.ok()) << entries.error().message;
+  ASSERT_EQ(entries->size(), 1u);
+  EXPECT_EQ(entries->front().name, "a");
+  EXPECT_EQ(entries->front().content, "hello");
+  EXPECT_EQ(entries->front().size, 5u);
 }
 
 TEST(ThreeMf, archives_that_lie_are_refused) {

@@ -50,6 +50,8 @@ TEST_F(AutosaveFolder, saves_a_document_and_offers_it_only_after_its_editor_exit
       ASSERT_TRUE(autosave.follow(document, marks).ok());
       EXPECT_TRUE(left().empty());
     }
+    for (const auto& file : std::filesystem::directory_iterator(state()))
+      EXPECT_EQ(file.status().permissions(), std::filesystem::perms(0600)) << file.path();
   }
   const auto found = left();
   ASSERT_EQ(found.size(), 1u);

@@ -142,5 +142,18 @@ TEST(CutReport, reports_closed_pieces_and_their_volume) {
   EXPECT_FALSE(report["pieces"][1].contains("volume"));
 }
 
+TEST(CutReport, lists_strokes_that_removed_nothing) {
+  const World world = world_of(brick({1, 1, 1}));
+  CutJob job;
+  for (const size_t removed : {0u, 2u, 0u}) {
+    job.begin_stroke();
+    StepResult step;
+    step.delta.removed_faces = removed;
+    job.record_step(step, world, 0);
+    job.end_stroke();
+  }
+  EXPECT_EQ(cut_report(job, world, {}, {})["missed"].dump(), "[0,2]");
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/document/document.h"
 #include "tests/support/features.h"
 #include "tests/support/made_meshes.h"
@@ -25,6 +27,9 @@ TEST(Extract, gives_each_piece_its_faces_area_and_rim) {
   for (const auto& faces : groups) {
     const Extract e = extract_faces(body, faces);
     EXPECT_EQ(e.triangles.size(), faces.size());
+    std::set<uint32_t> corners;
+    for (const auto& t : e.triangles) corners.insert(t.begin(), t.end());
+    EXPECT_EQ(e.positions.size(), corners.size());
     EXPECT_GT(e.boundary_edges, 4u);
     EXPECT_NEAR(e.centroid.y, 0, 1e-15);
     area += e.area;

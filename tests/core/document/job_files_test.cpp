@@ -117,6 +117,7 @@ TEST(JobFiles, a_drawing_is_the_same_after_a_path_and_an_svg) {
   ASSERT_EQ(strokes.size(), 2u);
   EXPECT_LT(glm::length(strokes[1].keys[0].origin - Vec3(-0.029, 0, -0.018)), 1e-15);
   EXPECT_EQ(strokes[0].keys.front().origin, strokes[0].keys.back().origin);
+  EXPECT_EQ(strokes[1].times.front(), 0);
   EXPECT_NEAR(duration_of(strokes[1]), way_of(strokes[1]) / kDrawingSpeed, 1e-12);
   const auto text = strokes_svg(strokes);
   ASSERT_TRUE(text.ok());

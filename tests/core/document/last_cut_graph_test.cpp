@@ -61,5 +61,15 @@ TEST(LastCutGraph, follows_a_body_whose_id_changes) {
   }
 }
 
+TEST(LastCutGraph, lists_each_removed_face_once_after_a_restart) {
+  Document document(world_of(grid(8, 2)));
+  stroke_across(document, 0.3);
+  const size_t removed = document.history().totals().removed_faces;
+  document.restart_stroke();
+  ASSERT_TRUE(run_all(document).ok());
+  EXPECT_EQ(document.history().totals().removed_faces, removed);
+  EXPECT_EQ(removed_nodes(document), removed);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -530,6 +530,8 @@ TEST(PieceLooks, name_the_part_with_the_largest_area) {
   EXPECT_EQ(part_name_of(body, parts, std::span(faces).first(all / 4)), "front");
   EXPECT_EQ(part_name_of(body, parts, std::span(faces).last(all / 4)), "back");
   EXPECT_EQ(part_name_of(body, {}, faces), "");
+  const std::vector<MeshPart> beyond{{"beyond", all, all + 4}};
+  EXPECT_EQ(part_name_of(body, beyond, faces), "");
 }
 
 }  // namespace

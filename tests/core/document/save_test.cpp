@@ -6,10 +6,14 @@
 #include <cmath>
 #include <memory>
 
+#include "core/document/lost_looks.h"
+#include "core/document/npz_file.h"
 #include "core/document/scene.h"
 #include "core/document/surface_files.h"
 #include "core/edit/body_edit.h"
 #include "core/edit/separation.h"
+#include "core/mesh/files/bytes.h"
+#include "core/mesh/files/readers.h"
 #include "core/mesh/mesh_file.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
@@ -69,6 +73,60 @@ TEST(InputFiles, include_at_most_64_different_libraries_of_an_obj_file) {
   inputs.add(folder / "part.obj");
   EXPECT_FALSE(inputs.check("--out", folder / "63.mtl").ok());
   EXPECT_TRUE(inputs.check("--out", folder / "64.mtl").ok());
+}
+
+TEST(InputFiles, include_buffers_and_images_of_gltf_files) {
+  TemporaryFolder folder;
+  write_text(folder / "part.gltf",
+             R"({"buffers":[{"byteLength":4},{"uri":"part%20one.bin"}],)"
+             R"("images":[{"bufferView":0},{"uri":"data:;base64,AA=="},{"uri":"look.png"}]})");
+  for (const char* file : {"part one.bin", "look.png", "other.png"}) write_text(folder / file, file);
+  InputFiles inputs;
+  inputs.add(folder / "part.gltf");
+  for (const char* file : {"part.gltf", "part one.bin", "look.png"})
+    EXPECT_FALSE(inputs.check("--out", folder / file).ok()) << file;
+  EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
+}
+
+TEST(LostLooks, are_those_that_a_format_does_not_hold) {
+  const auto notes = [](const Soup& soup, MeshFormat format) {
+    const Body body = make_body("part", build(soup));
+    LostLooks lost;
+    lost.add(body, extract_faces(body, body.faces_of(0)), format);
+    std::vector<std::string> found;
+    lost.add_notes(format, found);
+    return found;
+  };
+  const Soup painted = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 1\nf 1/1 2/1 3/1\n", "a.obj");
+  for (const MeshFormatRow& row : kMeshFormats) {
+    SCOPED_TRACE(row.title);
+    EXPECT_EQ(notes(grid(2, 1), row.format), std::vector<std::string>{});
+    const std::string loss = std::string(row.title) + " holds no UVs: 1 face loses its";
+    EXPECT_EQ(notes(painted, row.format),
+              row.uvs_and_normals ? std::vector<std::string>{} : std::vector<std::string>{loss});
+  }
+}
+
+// The offsets are those of APPNOTE 6.3 and of the format 1.0 of .npy.
+TEST(NpzFile, stores_arrays_with_aligned_data_and_a_fixed_time) {
+  const std::vector<double> values{1, 2, 3, 4, 5, 6};
+  const std::vector<size_t> shape{2, 3};
+  for (const std::string name : {"a", "abcd", "a_longer_name"}) {
+    NpzFile file;
+    file.add(name, values, shape);
+    const auto bytes = file.take();
+    ASSERT_TRUE(bytes.ok());
+    const auto at = [&](size_t place) { return load<uint16_t>(bytes->data() + place, std::endian::little); };
+    EXPECT_EQ(at(10), 0) << "time";
+    EXPECT_EQ(at(12), 0x21) << "1 January 1980";
+    const std::string content = bytes->substr(30 + at(26));
+    EXPECT_EQ(content.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
+    const size_t head = 10 + load<uint16_t>(content.data() + 8, std::endian::little);
+    EXPECT_EQ(head % 64, 0u);
+    EXPECT_NE(content.substr(0, head).find("'shape': (2, 3, )"), std::string::npos);
+    for (size_t i = 0; i < values.size(); ++i)
+      EXPECT_EQ(load<double>(content.data() + head + 8 * i, std::endian::little), values[i]);
+  }
 }
 
 TEST(SurfaceFiles, give_images_the_extension_of_their_kind) {
@@ -167,6 +225,24 @@ TEST_F(SceneFile, round_trips) {
   expected["lights"][1]["colour"] = colour_text(Light().colour);
   expected["lights"][1]["intensity"] = Light().intensity;
   EXPECT_EQ(saved, expected);
+}
+
+TEST_F(SceneFile, stores_a_substance_other_than_the_default) {
+  auto scene = parse(kScene);
+  ASSERT_TRUE(scene.ok());
+  scene->bodies[0].sheet.substance.conductivity = 7;
+  ASSERT_TRUE(save_scene(folder_ / "saved.json", *scene).ok());
+  const auto again = parse(read_text(folder_ / "saved.json"));
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  for (size_t i = 0; i < 2; ++i) EXPECT_EQ(again->bodies[i].sheet, scene->bodies[i].sheet) << i;
+}
+
+TEST_F(SceneFile, does_not_replace_its_meshes) {
+  const auto scene = parse(kScene);
+  ASSERT_TRUE(scene.ok());
+  write_text(folder_ / "a.obj", "a mesh");
+  EXPECT_FALSE(save_scene(folder_ / "a.obj", *scene).ok());
+  EXPECT_EQ(read_text(folder_ / "a.obj"), "a mesh");
 }
 
 TEST_F(SceneFile, rejects_invalid_values_with_a_json_pointer) {

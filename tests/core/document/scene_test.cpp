@@ -67,6 +67,14 @@ TEST(Scene, reads_lights_and_display_options) {
   EXPECT_EQ(scene->show, "shadows,wire");
 }
 
+TEST(Scene, may_have_four_lights) {
+  const std::string light = R"({"direction": [0,1,0]})";
+  const auto scene =
+      scene_with("four", R"("lights": [)" + light + "," + light + "," + light + "," + light + "]");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_EQ(scene->lights.size(), kMaxLights);
+}
+
 TEST(Scene, names_an_invalid_light_in_the_error) {
   const std::pair<const char*, const char*> bad[]{
       {R"("lights": 1)", "/lights"},

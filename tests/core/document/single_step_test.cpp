@@ -305,5 +305,25 @@ TEST(SingleStep, reports_unrefined_faces_only_after_partial_refinement) {
   EXPECT_TRUE(any_left);
 }
 
+TEST(SingleStep, executes_all_parts_of_a_stage_at_once) {
+  Document document(world_of(grid(20, 2)));
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 3;  // over the whole sheet, of 800 faces
+  settings.resolution.rim = Rim::kFaces;
+  document.apply(BeginStroke{settings, {{0, 1, 0}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  SingleStep single(document);
+  size_t refined = 0, removed = 0;
+  while (document.waiting() > 0) {
+    const auto stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    refined += stage->kind == StageKind::kRefine;
+    removed += stage->kind == StageKind::kRemove;
+  }
+  EXPECT_EQ(refined, 1u);
+  EXPECT_EQ(removed, 1u);
+  EXPECT_EQ(document.world().live_faces(), 0u);
+}
+
 }  // namespace
 }  // namespace kerf::test

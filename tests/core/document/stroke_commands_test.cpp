@@ -247,5 +247,20 @@ TEST(StopStrokes, discards_a_stroke_that_has_not_started) {
   EXPECT_EQ(document.waiting(), 0u);
 }
 
+TEST(EndStroke, is_recorded_before_a_command_that_ends_a_stroke) {
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.05;
+  const BeginStroke begin{settings, {{-0.3, 1, 0}, {0, -1, 0}}};
+  for (const Command& last : {Command(begin), Command(Play{}), Command(Recut{settings})}) {
+    SCOPED_TRACE(last.index());
+    Document document(torus_world());
+    document.apply(begin);
+    document.apply(MoveBeam{{{0.3, 1, 0}, {0, -1, 0}}});
+    document.apply(last);
+    ASSERT_EQ(document.journal().size(), 4u);
+    EXPECT_TRUE(std::holds_alternative<EndStroke>(document.journal()[2]));
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

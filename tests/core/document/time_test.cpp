@@ -362,5 +362,13 @@ TEST_F(Time, of_path_keys_counts_from_the_first_key_unrounded) {
   EXPECT_EQ(std::get<MoveBeam>(commands[2]).time, 1.2);
 }
 
+TEST_F(Time, only_cools_while_no_bodies_move) {
+  EXPECT_FALSE(document_.queue().only_cools()) << "nothing waits";
+  pass(3);
+  EXPECT_TRUE(document_.queue().only_cools());
+  apply(AdvanceTime{3, true});
+  EXPECT_FALSE(document_.queue().only_cools());
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -203,5 +203,20 @@ TEST(UndoStack, a_missing_piece_is_named_in_the_error_and_changes_nothing) {
   EXPECT_TRUE(document.journal().empty());
 }
 
+TEST(UndoStack, keeps_a_cancelled_stroke_without_the_state_before_it) {
+  Document document(world_of(grid(20, 1)));
+  document.set_window(0);
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.05;
+  document.apply(BeginStroke{settings, {{-0.3, 1, 0}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  finish(document);
+  ASSERT_EQ(document.history().last().images(), HistoryStep::Images::kDiscarded);
+  const World after = document.world();
+  EXPECT_FALSE(document.cancel_stroke().ok());
+  EXPECT_EQ(document.history().position(), 1u);
+  expect_same_world(document.world(), after);
+}
+
 }  // namespace
 }  // namespace kerf::test

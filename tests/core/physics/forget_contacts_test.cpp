@@ -81,5 +81,11 @@ TEST_F(SleepingSheets, keep_their_pairs_when_contact_details_are_cleared) {
   EXPECT_TRUE(pair.points_of_first.empty() && pair.impulses.empty());
 }
 
+TEST_F(SleepingSheets, wake_for_changed_bodies_in_any_order) {
+  forget_contacts(world_, {ids_[2], ids_[0]});
+  EXPECT_EQ(awake(), "012");
+  EXPECT_EQ(known(), 0u);
+}
+
 }  // namespace
 }  // namespace kerf

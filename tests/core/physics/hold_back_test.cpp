@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/ids.h"
 #include "core/physics/contact/penetration.h"
 #include "tests/core/physics/moving_sheets.h"
@@ -51,6 +53,15 @@ TEST_F(PlateOverSheet, moves_the_largest_fraction_that_stays_on_its_side) {
     EXPECT_NEAR(height(), 0.1 - share * way, 1e-9) << way;
     EXPECT_LT(speed(), way) << "its motion is slowed";
   }
+}
+
+TEST_F(PlateOverSheet, turns_by_the_fraction_of_its_path) {
+  sheets_.body(0).motion.spin = {0, 0.4 / kTick, 0};
+  EXPECT_EQ(go(0.15), 1u);
+  EXPECT_NEAR(height(), 0.1 - 0.5 * 0.15, 1e-9);
+  // The whole turn has a half angle whose tangent is 0.2.
+  const glm::dquat& turned = sheets_.body(0).placement.orientation;
+  EXPECT_NEAR(std::asin(turned.y), 0.5 * std::atan(0.2), 1e-9);
 }
 
 TEST_F(PlateOverSheet, does_not_stop_a_much_heavier_body) {

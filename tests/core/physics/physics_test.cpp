@@ -103,6 +103,18 @@ TEST(Tick, reports_unpinned_awake_bodies_as_moved) {
   EXPECT_EQ(world.body(asleep).placement.position, resting);
 }
 
+TEST(Tick, ignores_a_body_without_faces) {
+  World world = world_with_ground();
+  test::add(world, test::rectangle(0.5, 0.3, 4), {0, 1, 0});
+  const BodyId empty = test::add(world, test::rectangle(0.5, 0.3, 1), {0, 1.1, 0});
+  const std::vector<FaceId> faces = world.body(empty).faces_of(0);
+  BodyEdit(world.body(empty)).remove(faces);
+  Physics physics;
+  physics.tick(world);
+  EXPECT_EQ(physics.statistics().bodies, 1u);
+  EXPECT_EQ(world.body(empty).placement.position, Vec3(0, 1.1, 0));
+}
+
 // Many more vertices than the points by which bodies touch each other.
 TEST(Fall, a_curved_body_rests_on_its_lowest_vertices) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {

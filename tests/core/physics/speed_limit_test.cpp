@@ -63,5 +63,14 @@ TEST_F(TwoPlates, spin_no_faster_than_the_speed_limit_at_their_edges) {
   EXPECT_NEAR(sheets_.body(0).motion.spin.y, 2 * 1 / std::sqrt(0.5), 1e-9);
 }
 
+TEST_F(TwoPlates, are_limited_after_a_pinned_one) {
+  sheets_.body(0).pinned = true;
+  std::vector<MovingBody>& bodies = sheets_.bodies();
+  const SpeedLimit limit(bodies, {}, {}, 0.2);
+  sheets_.body(1).motion.velocity = {0, 1000, 0};
+  limit.apply(bodies);
+  EXPECT_NEAR(glm::length(sheets_.body(1).motion.velocity), 5.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf

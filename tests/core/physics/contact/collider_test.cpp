@@ -41,5 +41,12 @@ TEST(Collider, stays_within_its_limits) {
   EXPECT_LE(collider.chords.size(), 12u);
 }
 
+// Each vertex of the rim lies 0.019 m off the line between its neighbours.
+TEST(Collider, keeps_its_error_if_exactly_the_allowed_chords_suffice) {
+  const Mesh mesh = test::build(test::disc(1, 32)).mesh;
+  EXPECT_EQ(make_collider(mesh, {.max_chords = 32, .chord_error = 0.01}).chords.size(), 32u);
+  EXPECT_EQ(make_collider(mesh, {.max_chords = 31, .chord_error = 0.01}).chords.size(), 16u);
+}
+
 }  // namespace
 }  // namespace kerf

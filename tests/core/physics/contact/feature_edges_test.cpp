@@ -14,6 +14,7 @@ namespace {
 std::vector<FeatureEdge> features_of(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.face_slots());
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
     const Triangle t = mesh.triangle(FaceId(f));
     normals[f] = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
   }
@@ -61,6 +62,20 @@ TEST(FeatureEdges, join_into_lines_that_end_where_three_meet) {
   for (const FeatureLine& line : lines) EXPECT_EQ(line.size(), 2u);
   EXPECT_EQ(joined(features_of(test::build(folded(60)).mesh)).size(), 3u)
       << "the fold and two parts of the rim";
+}
+
+TEST(FeatureEdges, are_rims_around_a_removed_face) {
+  Mesh mesh = test::build(test::closed_box({1, 2, 3})).mesh;
+  mesh.remove_face(FaceId(0));
+  const auto edges = features_of(mesh);
+  EXPECT_EQ(edges.size(), 13u) << "a diagonal is one now";
+  EXPECT_EQ(creases(edges), 10u);
+}
+
+TEST(FeatureEdges, of_sheets_that_share_an_edge_are_their_rims_and_that_edge_once) {
+  const auto edges = features_of(test::build(test::book(3)).mesh);
+  EXPECT_EQ(edges.size(), 10u);
+  EXPECT_EQ(creases(edges), 1u);
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "core/cut/knife.h"
 #include "core/physics/physics.h"
 #include "core/physics/sleep.h"
 #include "core/world/body_mass.h"
+#include "tests/core/physics/moving_sheets.h"
 #include "tests/support/piles.h"
 #include "tests/support/sheets.h"
 
@@ -149,6 +151,27 @@ TEST(Mating, ends_when_a_body_becomes_a_sheet) {
   physics.follow(change);
   physics.tick(world);
   EXPECT_TRUE(physics.colliders().at(box).wall_corners.empty());
+}
+
+// Two sheets that stand for walls on each other.
+TEST(Mating, of_seated_walls_forgets_points) {
+  test::MovingSheets sheets;
+  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), Vec3(0));
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  std::array<Collider, 2> colliders{*bodies[0].collider, *bodies[1].collider};
+  for (const Vec3& at : {Vec3(-0.5, 0, -0.5), Vec3(-0.5, 0, 0.5), Vec3(0.5, 0, -0.5), Vec3(0.5, 0, 0.5)}) {
+    colliders[0].wall_corners.push_back({at, {0, -1, 0}});
+    colliders[1].wall_corners.push_back({at, {0, 1, 0}});
+  }
+  for (size_t i = 0; i < 2; ++i) bodies[i].collider = &colliders[i];
+  PairMemory memory{bodies[0].id, bodies[1].id, {{1, {0, 1, 0}}}, {{2, {0, 1, 0}}}, {}};
+  const std::vector<Contact> contacts = PairGeometry(bodies[0], bodies[1]).contacts(memory);
+  ASSERT_EQ(contacts.size(), 4u);
+  for (const Contact& c : contacts) {
+    EXPECT_EQ(c.normal, Vec3(0, 1, 0));
+    EXPECT_EQ(c.distance, 0);
+  }
+  EXPECT_TRUE(memory.points_of_first.empty() && memory.points_of_second.empty());
 }
 
 }  // namespace

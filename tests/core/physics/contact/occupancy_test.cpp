@@ -43,5 +43,14 @@ TEST(Occupancy, is_empty_without_boxes) {
   EXPECT_FALSE(Occupancy({Vec3(0), Vec3(1)}).meets({Vec3(-1), Vec3(1)}));
 }
 
+TEST(Occupancy, is_apart_at_the_opposite_corner_of_bounds_anywhere) {
+  for (const Vec3& middle : {Vec3(0), Vec3(5, -3, 2), Vec3(-7, -7, -7)}) {
+    Occupancy space({middle - 1.0, middle + 1.0});
+    space.add({middle - 1.0, middle - 0.9});
+    EXPECT_TRUE(space.meets({middle - 1.0, middle - 0.95}));
+    EXPECT_FALSE(space.meets({middle + 0.9, middle + 1.0}));
+  }
+}
+
 }  // namespace
 }  // namespace kerf

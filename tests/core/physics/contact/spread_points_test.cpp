@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/random.h"
 
@@ -52,6 +53,25 @@ TEST(SpreadPoints, include_the_corners_of_a_box_exactly_once) {
   for (const uint32_t corner : {0u, 2u, 6u, 8u, 18u, 20u, 24u, 26u})
     EXPECT_EQ(std::count(selected.begin(), selected.end(), corner), 1) << corner;
   EXPECT_LE(selected.size(), 14u);
+}
+
+TEST(ExtremePoints, are_those_along_axes_and_diagonals) {
+  Random random(3);
+  std::vector<Vec3> points(300);
+  for (Vec3& p : points)
+    p = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+  std::set<uint32_t> expected;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double length2 = glm::dot(way, way);
+    if (length2 != 1 && length2 != 3) continue;
+    const auto most = std::ranges::max_element(points, {}, [&](const Vec3& p) { return glm::dot(p, way); });
+    expected.insert(static_cast<uint32_t>(most - points.begin()));
+  }
+  Indices selected;
+  select_extreme(points, selected);
+  EXPECT_EQ(selected.size(), expected.size());
+  EXPECT_EQ(std::set<uint32_t>(selected.begin(), selected.end()), expected);
 }
 
 }  // namespace

@@ -71,5 +71,25 @@ TEST_F(BurnTest, burns_a_sheet_next_to_a_cold_one) {
   EXPECT_EQ(heat_in(0), 0);
 }
 
+TEST_F(BurnTest, waits_at_coarse_faces_that_it_would_remove) {
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return false; });
+  const Pose pose{Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)};
+  for (int i = 0; i < 10'000 && !burn.any_waiting() && bodies_[0].removed.empty(); ++i) burn.emit(pose, 1);
+  EXPECT_TRUE(burn.any_waiting());
+  EXPECT_TRUE(bodies_[0].removed.empty());
+  EXPECT_FALSE(bodies_[0].coarse.empty());
+}
+
+// The waist lies on the upper sheet.
+TEST_F(BurnTest, waits_within_the_waist_of_its_focus) {
+  settings_.laser.radius = 2e-4;
+  settings_.laser.focus = 0.9;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return false; });
+  burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 1e9);
+  EXPECT_TRUE(burn.any_waiting());
+  EXPECT_GT(burn.waiting_within(), 1.5 * settings_.laser.radius);
+  EXPECT_LT(burn.waiting_within(), 1.01 * kBundleReach * settings_.laser.radius);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -119,6 +119,15 @@ TEST(ThermalStep, burns_through_mild_steel_in_oxygen_and_records_the_heat) {
   EXPECT_EQ(cross(strip, speed).energy().burnt, 0);
 }
 
+TEST(ThermalStep, emits_about_once_per_spacing_of_its_rays) {
+  World world = plates({0});
+  const CutSettings settings = thermal(0.001, 1);
+  const BeamMove move{{{0, 1, 0}, {0, -1, 0}}, {{0.001, 1, 0}, {0, -1, 0}}, 1e-6};
+  ASSERT_TRUE(cut_whole(world, settings, {&move, 1}).ok());
+  EXPECT_GE(static_cast<double>(world.energy().poses) * bundle_spacing(1), 1);
+  EXPECT_LE(world.energy().poses, 10u);
+}
+
 TEST(ThermalStep, counts_all_energy_as_escaped_on_a_miss) {
   World world = plates({0});
   BeamMove move = drill(0.1);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
+#include <sstream>
 
 #include "app/arguments.h"
 #include "app/console.h"
@@ -118,6 +118,17 @@ nlohmann::ordered_json match_report(const Match& match, const std::vector<double
           {"state_hash", hash_text(state_hash(match.world()))}};
 }
 
+// Returns the outcome of a match in one line.
+std::string match_summary(const Match& match) {
+  const Standing& standing = match.standing();
+  const bool ended = standing.phase == Standing::Phase::kEnded;
+  std::ostringstream text;
+  text << (ended ? "time up" : result_of(match)) << " after " << seconds_of_ticks(standing.ticks)
+       << " s: " << standing.score << " points, " << standing.enemies_destroyed
+       << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ") << standing.pieces << " pieces";
+  return text.str();
+}
+
 // One run of `kerf play --headless`.
 class PlayRun {
  public:
@@ -133,12 +144,7 @@ class PlayRun {
     if (const Status s = play(match); !s) return s;
     if (const Status s = write_report(match); !s) return s;
     if (const Status s = write_record(match); !s) return s;
-    const Standing& standing = match.standing();
-    const bool ended = standing.phase == Standing::Phase::kEnded;
-    std::cerr << "kerf: " << (ended ? "time up" : result_of(match)) << " after "
-              << seconds_of_ticks(standing.ticks) << " s: " << standing.score << " points, "
-              << standing.enemies_destroyed << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ")
-              << standing.pieces << " pieces\n";
+    summarize(match_summary(match));
     return Done{};
   }
 

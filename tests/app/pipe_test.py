@@ -124,6 +124,9 @@ class Pipe(unittest.TestCase):
         for words in (('cut', SPHERE, '--path', 'path.json', '-o', 'out'), ('prepare', SPHERE, '--smooth', '1', '-o', 'x.obj')):
             self.assertEqual(len(self.kerf(*words).stderr.splitlines()), 1)
             self.assertEqual(self.kerf(*words, '-q').stderr, b'')
+        match = ('play', '--headless', '--driver', 'still', '--seconds', '0.5')
+        self.assertIn(b'kerf: quit after ', self.kerf(*match).stderr)
+        self.assertEqual(self.kerf(*match, '-q').stderr, b'')
 
     def test_reports_state_their_provenance_and_match_their_schema(self):
         with open(os.path.join(ROOT, 'app/report.schema.json'), encoding='utf-8') as file:

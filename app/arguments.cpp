@@ -33,6 +33,14 @@ std::string check_number(const std::string& text, const NumberRange& range, bool
   return range.contains(number) ? "" : out_of_limits(number, range);
 }
 
+std::string without_leading_zeros(std::string text) {
+  const size_t sign = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+  const auto is_digit = [&](size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  size_t zeros = 0;
+  while (is_digit(sign + zeros + 1) && text[sign + zeros] == '0') ++zeros;
+  return text.erase(sign, zeros);
+}
+
 std::string help_with_limits(const std::string& help, const NumberRange& range) {
   return help + "; " + limits_text(range);
 }

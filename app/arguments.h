@@ -35,6 +35,9 @@ bool parse_number(std::string_view text, double& value);
 // Returns "" if the text is a number within the range, else what it must be.
 std::string check_number(const std::string& text, const NumberRange& range, bool whole);
 
+// Removes leading zeros of a whole number: CLI11 reads such numbers as octal.
+std::string without_leading_zeros(std::string text);
+
 // Returns the help of an option with the limits appended.
 std::string help_with_limits(const std::string& help, const NumberRange& range);
 
@@ -54,6 +57,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, T& x, const 
                         const std::string& help) {
   constexpr bool kWhole = std::is_integral_v<typename NumberOf<T>::Type>;
   CLI::Option* const option = command.add_option(name, x, help_with_limits(help, range));
+  if (kWhole) option->transform(without_leading_zeros);
   return option->check([range](const std::string& text) { return check_number(text, range, kWhole); });
 }
 

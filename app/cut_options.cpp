@@ -101,7 +101,8 @@ struct Offer {
     add(key, x, help_with_limits(help, range));
   }
   void whole(const char* key, std::optional<int>& x, int least, int most, const char* help) {
-    add(key, x, help_with_limits(help, {static_cast<double>(least), static_cast<double>(most)}));
+    add_number(command, "--" + std::string(key), x, {static_cast<double>(least), static_cast<double>(most)},
+               help);
   }
   void choice(const char* key, std::optional<std::string>& x, const Names&, const char* help) {
     add(key, x, help);

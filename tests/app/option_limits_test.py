@@ -134,6 +134,18 @@ class OptionLimits(unittest.TestCase):
                 done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "s.json")
                 self.assertEqual(done.returncode, 2, (name, number, done.stderr))
 
+    def test_leading_zeros_make_no_number_octal(self):
+        done = self.run_here("cut", "plate.obj", "--path", "far.json", "--out", "o", "--depth", "010")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(self.folder, "o", "report.json")) as file:
+            self.assertEqual(json.load(file)["settings"]["depth"], 10)
+        for command, option in (("cut", "--steps"), ("prepare", "--simplify"), ("inspect", "--step"), ("play", "--seed")):
+            done = self.run_here(command, *BEGINNINGS[command], option, "08")
+            self.assertNotIn(option, done.stderr)
+            self.assertIn("none.", done.stderr)
+            done = self.run_here(command, *BEGINNINGS[command], option, "0x8")
+            self.assertEqual((done.returncode, option in done.stderr), (2, True), (command, done.stderr))
+
     def test_a_range_is_accepted_at_its_limits_and_rejected_beyond(self):
         for text, status in (("0,0", 0), (f"0,{MOST!r}", 0), (f"{MOST!r},{MOST!r}", 0), (f"{-LEAST!r},1", 2), ("1,0.5", 2),
                              ("0,inf", 2), ("nan,1", 2), ("0,1e999", 2)):

@@ -133,8 +133,8 @@ struct FileEntry {
   void whole(const char* option, std::optional<int>& x, int, int, const char*) {
     take(option, x, [&]() -> Result<int> {
       if (!value.json().is_number_integer()) return value.wrong("must be a whole number");
-      const auto number = value.json().get<int64_t>();
-      if (std::abs(number) > 1'000'000'000) return value.wrong("is out of range");
+      const auto number = value.json().get<double>();
+      if (!(std::abs(number) <= 1e9)) return value.wrong("is out of range");
       return static_cast<int>(number);
     });
   }

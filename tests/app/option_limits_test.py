@@ -146,6 +146,12 @@ class OptionLimits(unittest.TestCase):
             done = self.run_here(command, *BEGINNINGS[command], option, "0x8")
             self.assertEqual((done.returncode, option in done.stderr), (2, True), (command, done.stderr))
 
+    def test_whole_numbers_of_settings_files_do_not_overflow(self):
+        for number in (-2**63, 2**63, 2**64 - 1, 1e300):
+            self.write("s.json", json.dumps({"depth": number}))
+            done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "s.json")
+            self.assertEqual((done.returncode, "depth" in done.stderr), (2, True), (number, done.stderr))
+
     def test_a_range_is_accepted_at_its_limits_and_rejected_beyond(self):
         for text, status in (("0,0", 0), (f"0,{MOST!r}", 0), (f"{MOST!r},{MOST!r}", 0), (f"{-LEAST!r},1", 2), ("1,0.5", 2),
                              ("0,inf", 2), ("nan,1", 2), ("0,1e999", 2)):

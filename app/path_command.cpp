@@ -127,16 +127,15 @@ class PathRun {
     return worked(job, strokes, plane);
   }
 
-  // Returns the strokes with compensation, entries and tabs. They have the laser and the mean speed of the
-  // strokes of the file that they were made from, and one radius.
+  // Returns the strokes with compensation, entries and tabs. They have the laser, the mean speed and the
+  // height of the strokes of the file that they were made from, and one radius.
   Result<std::vector<StrokePath>> worked(const JobFile& job, const std::vector<StrokePath>& strokes,
-                                         JobPlane plane) {
+                                         const JobPlane& plane) {
     std::vector<DrawnLine> lines = job.drawing.lines;
     if (!job.is_drawing()) {
       auto flat = plane_lines(strokes);
       if (!flat) return bad_input(options_.file + ": " + flat.error().message);
       lines = std::move(*flat);
-      if (!strokes.empty()) plane.at.y = strokes.front().keys.front().origin.y;
     }
     const auto radius = options_.radius || strokes.empty() ? options_.radius : strokes.front().radius;
     if (!radius) return bad_input("--compensate and --tabs: require --radius, the radius of the beam");
@@ -153,6 +152,7 @@ class PathRun {
     for (size_t i = 0; i < made.size() && !job.is_drawing(); ++i) {
       const size_t source = std::stoul(toolpath->strokes[i].layer);
       take_laser(strokes[source], speeds[source], made[i]);
+      for (Pose& key : made[i].keys) key.origin.y = strokes[source].keys.front().origin.y;
     }
     set_lasers(layers_, toolpath->strokes, made);
     for (StrokePath& stroke : made) stroke.radius = *radius;

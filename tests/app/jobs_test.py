@@ -140,6 +140,13 @@ class Jobs(unittest.TestCase):
             way = sum(math.dist(a['origin'], b['origin']) for a, b in zip(keys, keys[1:]))
             self.assertAlmostEqual(.04, way / (keys[-1]['t'] - keys[0]['t']))
 
+    def test_tabs_keep_the_height_of_each_stroke(self):
+        nc = self.write('a.nc', 'G21 G90\n' + ''.join(
+            f'G0 X{x} Y0 Z{z}\nM3 S1000\nG1 X{x + 20} F1000\nY20\nX{x}\nY0\nM5\n' for x, z in ((0, 5), (100, -2))))
+        self.kerf('path', nc, '--out', self.path('b.json'), '--tabs', '2,0.001', '--radius', RADIUS)
+        seen = {(key['origin'][0] > .05, key['origin'][1]) for stroke in self.strokes('b.json') for key in stroke['keys']}
+        self.assertEqual({(False, .005), (True, -.002)}, seen)
+
     def test_layers_keep_their_order_and_the_radius_is_that_of_the_compensation(self):
         square = 'M{0} {0}h{1}v{1}h-{1}z'
         svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="' +

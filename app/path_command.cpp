@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -118,6 +119,7 @@ class PathRun {
       strokes = drawing_strokes(job.drawing.lines, job.drawing.middle, plane);
       set_lasers(layers_, job.drawing.lines, strokes);
     }
+    if (options_.works() || job_kind(options_.out) == JobFile::Kind::kSvg) leave_out_still(strokes);
     if (!options_.works()) {
       for (StrokePath& stroke : strokes) {
         if (options_.radius) stroke.radius = *options_.radius;
@@ -125,6 +127,19 @@ class PathRun {
       return strokes;
     }
     return worked(job, strokes, plane);
+  }
+
+  // Removes the strokes that stand still, which are no lines.
+  void leave_out_still(std::vector<StrokePath>& strokes) const {
+    const size_t count = std::erase_if(strokes, [](const StrokePath& stroke) {
+      const Pose& first = stroke.keys.front();
+      return std::ranges::all_of(stroke.keys, [&](const Pose& key) {
+        return key.origin == first.origin && key.direction == first.direction;
+      });
+    });
+    if (count > 0)
+      warn(options_.file + ": left out: " + count_text(count, "stroke") +
+           (count == 1 ? " that stands still" : " that stand still"));
   }
 
   // Returns the strokes with compensation, entries and tabs. They have the laser, the mean speed and the

@@ -147,6 +147,20 @@ class Jobs(unittest.TestCase):
         seen = {(key['origin'][0] > .05, key['origin'][1]) for stroke in self.strokes('b.json') for key in stroke['keys']}
         self.assertEqual({(False, .005), (True, -.002)}, seen)
 
+    def test_strokes_that_stand_still_are_left_out_of_lines_with_a_warning(self):
+        point = 'G0 X5 Y5\nM3 S1000\nG1 F1000\nG4 P1\nM5\n'
+        nc = self.write('a.nc', 'G21 G90\n' + point + 'G0 X10 Y10\nM3\nG1 X30\nY30\nX10\nY10\nM5\n')
+        for out, options in (('b.svg', []), ('b.json', ['--tabs', '2,0.001', '--radius', RADIUS])):
+            said = self.kerf('path', nc, '--out', self.path(out), *options)
+            self.assertIn(f'{nc}: left out: 1 stroke that stands still', said)
+            self.assertIn('\nkerf: 2 strokes' if options else '\nkerf: 1 stroke ', said)
+        self.assertNotIn('left out', self.kerf('path', nc, '--out', self.path('b.json')))
+        nc = self.write('a.nc', 'G21 G90\n' + 2 * point)
+        said = self.kerf('path', nc, '--out', self.path('c.svg'), status=2)
+        self.assertIn('left out: 2 strokes that stand still', said)
+        self.assertIn('nothing is left to write', said)
+        self.assertFalse(os.path.exists(self.path('c.svg')))
+
     def test_layers_keep_their_order_and_the_radius_is_that_of_the_compensation(self):
         square = 'M{0} {0}h{1}v{1}h-{1}z'
         svg = self.write('a.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path stroke="red" d="' +

@@ -93,6 +93,16 @@ double largest_power(std::span<const StrokePath> strokes) {
   return power > 0 ? power : 1000;
 }
 
+// Returns true if F can state the speed of all moves, in mm/min.
+bool has_feeds(const std::vector<Vec3>& points, const std::vector<double>& times) {
+  constexpr double kMaxFeed = 1e9;
+  for (size_t k = 1; k < points.size(); ++k) {
+    if (!(60'000 * glm::length(points[k] - points[k - 1]) <= kMaxFeed * (times[k] - times[k - 1])))
+      return false;
+  }
+  return true;
+}
+
 Result<std::vector<ProgramStroke>> program_of(std::span<const StrokePath> strokes, double power_at_s1000) {
   auto all = plane_points(strokes);
   if (!all) return all.error();
@@ -103,6 +113,8 @@ Result<std::vector<ProgramStroke>> program_of(std::span<const StrokePath> stroke
     for (const Vec3& point : (*all)[i]) {
       if (!(glm::length(point) <= 1e5)) return cannot_hold(i, "a point is farther than 100 km from the zero");
     }
+    if (!has_feeds((*all)[i], strokes[i].times))
+      return cannot_hold(i, "a move is faster than 1e9 mm/min; give its keys times that are farther apart");
     if (power > 0) program.push_back({std::move((*all)[i]), strokes[i].times, power, 0});
   }
   return program;

@@ -143,6 +143,15 @@ TEST(JobFiles, flat_files_hold_only_a_beam_along_minus_y_and_level_lines) {
             "stroke 0: only a beam along -y can be converted; keep the path as JSON");
 }
 
+TEST(JobFiles, programs_hold_no_moves_that_are_faster_than_a_feed_can_state) {
+  std::vector<StrokePath> strokes = level_strokes();
+  strokes[1].times = {0, 1e-8};
+  const auto program = strokes_gcode(strokes, std::nullopt);
+  ASSERT_FALSE(program.ok());
+  EXPECT_EQ(program.error().message,
+            "stroke 1: a move is faster than 1e9 mm/min; give its keys times that are farther apart");
+}
+
 TEST(JobFiles, drawings_without_lines_are_bad_input) {
   const auto job = read_job_text("<svg><text>A</text></svg>", "a.svg", JobFile::Kind::kSvg, kCurves);
   ASSERT_FALSE(job.ok());

@@ -69,8 +69,7 @@ class CutRun {
       return s;
     const auto line_of = [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); };
     if (const auto s = options_.setup.check_nozzle(document_.world(), strokes_, line_of, job_); !s) return s;
-    if (const auto s = begin_journal(); !s) return s;
-    if (const auto s = folder.make(); !s) return s;
+    if (const auto s = begin_outputs(folder); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = cut_planes(); !s) return s;
     if (const auto s = settle(); !s) return s;
@@ -396,7 +395,16 @@ class CutRun {
     return Done{};
   }
 
-  // Writes the head of the journal, so that an unwritable path is reported before the cut.
+  // Creates the folder of the pieces. Paths that cannot be written are reported before the cut.
+  Status begin_outputs(const PiecesFolder& folder) {
+    if (!options_.journal.empty() && folder.holds(options_.journal)) {
+      if (const Status made = folder.make(); !made) return made;
+    }
+    if (const Status begun = begin_journal(); !begun) return begun;
+    return folder.make();
+  }
+
+  // Writes the head of the journal.
   Status begin_journal() {
     if (options_.journal.empty()) return Done{};
     auto file = AtomicFile::open(options_.journal);

@@ -426,12 +426,17 @@ Status PiecesFolder::check(const std::string& option, const InputFiles& inputs) 
   });
 }
 
+bool PiecesFolder::holds(const fs::path& file) const {
+  std::error_code error;
+  fs::path folder = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (!folder.has_filename()) folder = folder.parent_path();  // ends with a slash
+  return fs::weakly_canonical(fs::absolute(file, error), error).parent_path() == folder;
+}
+
 bool PiecesFolder::may_write(const fs::path& file) const {
   std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(path, error), error);
-  const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
-  const std::string name = whole.filename().string();
-  return whole.parent_path() == folder && (name == kReport || is_piece_name(name));
+  const std::string name = fs::weakly_canonical(fs::absolute(file, error), error).filename().string();
+  return holds(file) && (name == kReport || is_piece_name(name));
 }
 
 Status PiecesFolder::make() const {

@@ -31,6 +31,8 @@ struct PiecesFolder {
 
   // Fails with bad input if a file that write() may replace or remove is an input. Errors name `option`.
   Status check(const std::string& option, const InputFiles& inputs) const;
+  // Returns true if the file lies in the folder, which need not exist.
+  bool holds(const std::filesystem::path& file) const;
   // Returns true if write() may write this file.
   bool may_write(const std::filesystem::path& file) const;
   // Creates the folder. Fails if it cannot be created or used.

@@ -169,6 +169,16 @@ class Outputs(unittest.TestCase):
             self.assertIn(journal, done.stderr)
             self.assertFalse(os.path.exists(self.path("out")))
 
+    def test_a_journal_may_lie_in_the_new_folder_of_the_pieces(self):
+        for out in ("out", "more/out/"):
+            journal = os.path.join(out, "cut.kerf")
+            self.cut("plate.obj", "--path", "once.json", "--out", out, "--journal", journal)
+            self.assertIn("cut.kerf", self.files(out))
+            done = self.kerf("replay", journal)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_refused_and_unchanged(["cut", "plate.obj", "--out", "new/", "--journal", "new/report.json"], "--journal")
+        self.assertFalse(os.path.exists(self.path("new")))
+
     def test_an_incomplete_journal_does_not_affect_pieces(self):
         strokes = [stroke(-0.4 + 0.001 * (i % 800)) for i in range(400)]
         self.write("many.json", json.dumps({"strokes": strokes}))

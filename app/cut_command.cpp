@@ -401,7 +401,13 @@ class CutRun {
       if (const Status made = folder.make(); !made) return made;
     }
     if (const Status begun = begin_journal(); !begun) return begun;
-    return folder.make();
+    if (const Status made = folder.make(); !made) return made;
+    if (options_.provenance.empty()) return Done{};
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(options_.provenance, error);
+    if (std::filesystem::is_directory(whole.parent_path(), error)) return Done{};
+    return failed("cannot write " + options_.provenance + ": there is no folder " +
+                  whole.parent_path().string() + ".");
   }
 
   // Writes the head of the journal.

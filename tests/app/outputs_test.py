@@ -169,6 +169,15 @@ class Outputs(unittest.TestCase):
             self.assertIn(journal, done.stderr)
             self.assertFalse(os.path.exists(self.path("out")))
 
+    def test_a_missing_folder_of_the_provenance_is_reported_before_the_cut(self):
+        self.cut("plate.obj", "--path", "thrice.json", "--out", "out")
+        done = self.kerf("cut", "plate.obj", "--path", "once.json", "--out", "out", "--provenance", "nowhere/p.npz")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertIn("cannot write nowhere/p.npz: there is no folder", done.stderr)
+        self.assert_one_run()
+        self.cut("plate.obj", "--path", "once.json", "--out", "new", "--provenance", "new/p.npz")
+        self.assertIn("p.npz", self.files("new"))
+
     def test_a_journal_may_lie_in_the_new_folder_of_the_pieces(self):
         for out in ("out", "more/out/"):
             journal = os.path.join(out, "cut.kerf")

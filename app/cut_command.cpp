@@ -65,8 +65,8 @@ class CutRun {
     if (const auto s = check_outputs(folder); !s) return s;
     if (const auto s = load(); !s) return s;
     if (const auto s = options_.job.add_strokes(bounds_, strokes_, job_); !s) return s;
-    if (const auto s = options_.setup.fit_strokes(document_.world(), {unit_, false}, strokes_, job_); !s)
-      return s;
+    const MeshReading planned{scene_.bodies.front().unit, false};  // of the mesh of --fit
+    if (const auto s = options_.setup.fit_strokes(document_.world(), planned, strokes_, job_); !s) return s;
     const auto line_of = [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); };
     if (const auto s = options_.setup.check_nozzle(document_.world(), strokes_, line_of, job_); !s) return s;
     if (const auto s = begin_outputs(folder); !s) return s;

@@ -415,6 +415,13 @@ class Jobs(unittest.TestCase):
         self.assertLess(report['fit']['residuals']['rms'], 1e-6)
         for got, wanted in zip(report['fit']['motion']['position'], shift):
             self.assertAlmostEqual(got, wanted, delta=1e-5)
+        # The unit of a scene is that of both meshes.
+        for name, points in (('planned_mm.obj', tent), ('part_mm.obj', map(moved, tent))):
+            self.write(name, ''.join('v {} {} {}\n'.format(*(1000 * x for x in p)) for p in points) + faces)
+        scene = self.write('scene.json', json.dumps({'bodies': [{'mesh': 'part_mm.obj', 'unit': 'mm'}]}))
+        report = self.cut(scene, '--gcode', nc, '--at', '0,0.1,0', '--fit', self.path('planned_mm.obj'))
+        for got, wanted in zip(report['fit']['motion']['position'], shift):
+            self.assertAlmostEqual(got, wanted, delta=1e-5)
         line = self.write('line.json', json.dumps({'points': [{'planned': [x, 0, 0], 'measured': [x, 0, 0]} for x in range(3)]}))
         self.assertIn('do not lie on one line', self.kerf('cut', sheet, '--gcode', nc, '--fit', line, '--out', self.path('o'), status=2))
 

@@ -37,9 +37,8 @@ Status edit(const EditorArguments& a) {
   EditorOptions options;
   options.default_scene = assets_folder() / "scenes" / "car.json";
   for (const std::string& file : a.files) {
-    if (!std::filesystem::exists(file)) {
-      return bad_input(file + ": no such file or command");
-    }
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return bad_input(file + ": no such file or command");
     options.files.emplace_back(file);
   }
   for (const auto& [option, file] : {std::pair{"--report", a.report}, {"--landmarks", a.landmarks}}) {
@@ -162,8 +161,9 @@ class PlayRun {
     for (const auto& [option, file] :
          {std::pair{"--record", arguments_.record}, {"--report", arguments_.report}}) {
       if (file.empty()) continue;
-      const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-      if (!std::filesystem::is_directory(folder))
+      std::error_code error;
+      const std::filesystem::path folder = std::filesystem::absolute(file, error).parent_path();
+      if (!std::filesystem::is_directory(folder, error))
         return bad_input(std::string(option) + ": no such folder: " + folder.string());
     }
     starts_ = arguments_.rules.empty() && arguments_.arena.empty() && arguments_.driver.empty() &&

@@ -64,6 +64,13 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(kerf("prepare", "--smooth", "x"), 2, "(see kerf prepare --help)")
         self.assert_refused(kerf("--no-such-option"), 2, "(see kerf --help)")
 
+    def test_a_name_longer_than_a_file_may_have_is_bad_input(self):
+        long = "x" * 300
+        self.assert_refused(kerf(long), 2, "xxx: no such file or command")
+        self.assert_refused(kerf("play", "--headless", "--report", f"{long}/report.json"), 2, "--report: no such folder")
+        for command in (("info", long), ("cut", long, "--out", "o"), ("replay", long), ("path", long + ".svg", "--out", "a.nc")):
+            self.assert_refused(self.run_here(*command), 2, "xxx")
+
     def test_help_and_version_go_to_standard_output(self):
         for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["inspect", "--help"], ["render", "--help"]):
             done = kerf(*args)

@@ -117,6 +117,12 @@ nlohmann::ordered_json match_report(const Match& match, const std::vector<double
           {"state_hash", hash_text(state_hash(match.world()))}};
 }
 
+// Returns the path of a file, which need not exist, without links.
+std::filesystem::path resolved(const std::string& file) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+}
+
 // Returns the outcome of a match in one line.
 std::string match_summary(const Match& match) {
   const Standing& standing = match.standing();
@@ -166,6 +172,8 @@ class PlayRun {
       if (!std::filesystem::is_directory(folder, error))
         return bad_input(std::string(option) + ": no such folder: " + folder.string());
     }
+    if (!arguments_.record.empty() && resolved(arguments_.record) == resolved(arguments_.report))
+      return bad_input("--report: " + arguments_.report + " is the file of --record; use another name");
     starts_ = arguments_.rules.empty() && arguments_.arena.empty() && arguments_.driver.empty() &&
               arguments_.seconds == 0;
     arena_ = arguments_.arena;

@@ -153,6 +153,12 @@ class Outputs(unittest.TestCase):
             for option in ("--report", "--record"):
                 self.assert_refused_and_unchanged([*play, option, file], option, file)
 
+    def test_a_report_does_not_replace_the_recording_of_its_match(self):
+        self.write("m.kerf", "an earlier match")
+        os.symlink("m.kerf", self.path("link.kerf"))
+        for record in ("m.kerf", "./m.kerf", "link.kerf"):
+            self.assert_refused_and_unchanged(["play", "--headless", "--report", "m.kerf", "--record", record], "--report", "--record")
+
     def test_buffers_of_a_gltf_file_count_as_inputs(self):
         self.cut("plate.obj", "--format", "gltf", "--out", "g")
         gltf = json.loads(self.read("g/piece-0000.gltf"))

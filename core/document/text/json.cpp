@@ -197,8 +197,8 @@ Result<std::string> read_text_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return bad_input(file.string() + ": cannot be opened for reading");
   std::ostringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) return failed(file.string() + ": reading failed before the end");
+  stream >> text.rdbuf();
+  if (!stream.eof()) return failed(file.string() + ": reading failed before the end");
   return std::move(text).str();
 }
 

@@ -31,6 +31,13 @@ class PathFile : public ::testing::Test {
   }
 };
 
+TEST_F(PathFile, a_read_error_is_not_the_end_of_the_file) {
+  const auto strokes = read_path_file("/proc/self/mem");  // nothing can be read at its start
+  ASSERT_FALSE(strokes.ok());
+  EXPECT_EQ(strokes.error().code, ErrorCode::kFailed);
+  EXPECT_EQ(strokes.error().message, "/proc/self/mem: reading failed before the end");
+}
+
 TEST_F(PathFile, reads_strokes_and_normalises_directions) {
   const auto strokes = read(
       R"({"strokes": [{"laser": {"radius": 0.004, "range": [0, 10], "power": 2000},

@@ -35,7 +35,7 @@ failed=$?
 
 python3 - "$out" <<'END'
 import csv, glob, json, os, sys
-with open(os.path.join(sys.argv[1], 'table.csv'), 'w', newline='') as table:
+with open(os.path.join(sys.argv[1], 'table.csv'), 'w', newline='', errors='surrogateescape') as table:
     rows = csv.writer(table)
     rows.writerow(['mesh', 'faces', 'removed_area', 'pieces', 'cut_ms', 'state_hash'])
     for file in sorted(glob.glob(os.path.join(glob.escape(sys.argv[1]), '*', 'report.json'))):

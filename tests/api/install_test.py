@@ -78,11 +78,12 @@ def check_batch(prefix, folder):
     os.mkdir(meshes)
     for name in ('sphere.obj', 'knot.obj'):
         shutil.copy(os.path.join(os.path.dirname(SPHERE), name), meshes)
+    shutil.copy(SPHERE, os.path.join(os.fsencode(meshes), b'teil_\xfc.obj'))  # not UTF-8
     out = os.path.join(folder, 'cut')
     command = ['bash', os.path.join(EXAMPLES, 'cut_folder.sh'), os.path.join(prefix, 'bin/kerf'), meshes, out]
-    run(*command)
-    with open(os.path.join(out, 'table.csv'), encoding='utf-8') as table:
-        assert [line.split(',')[0] for line in table] == ['mesh', 'knot.obj', 'sphere.obj']
+    run(*command, errors='replace')
+    with open(os.path.join(out, 'table.csv'), 'rb') as table:
+        assert [line.split(b',')[0] for line in table] == [b'mesh', b'knot.obj', b'sphere.obj', b'teil_\xfc.obj']
     bad = os.path.join(meshes, 'bad.obj')
     open(bad, 'w', encoding='utf-8').close()
     assert subprocess.run(command, capture_output=True, check=False).returncode != 0

@@ -118,6 +118,7 @@ class CutRun {
     for (const std::string& file : options_.meshes) {
       auto scene = read_description(file, unit_);
       if (!scene) return scene.error();
+      if (const std::string name = with_stream_names(file); name != file) scene->bodies.front().name = name;
       if (options_.meshes.size() == 1) {
         strokes_ = scene->strokes;
         scene_ = std::move(*scene);

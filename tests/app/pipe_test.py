@@ -98,6 +98,14 @@ class Pipe(unittest.TestCase):
             self.assertEqual(self.report(out)['state_hash'], wanted['state_hash'])
             self.assertEqual(self.report(out)['inputs'], inputs)
 
+    def test_notes_name_standard_input(self):
+        keys = [{'t': t, 'origin': [x, 3, 0.1], 'direction': [0, -1, 0]} for t, x in ((0, 0), (1, 2))]
+        knife = json.dumps({'strokes': [{'laser': {'radius': 0, 'range': [0, 10]}, 'keys': keys}]})
+        with open(os.path.join(self.folder, 'knife.json'), 'w', encoding='utf-8') as file:
+            file.write(knife)
+        self.kerf('cut', '-', '--path', 'knife.json', '-o', 'out', input=self.mesh)
+        self.assertRegex(self.report()['notes'][0], '^standard input.*: the part stays connected')
+
     def test_errors_name_standard_input(self):
         for words, given in ((('info', '-'), b'rubbish'), (('cut', SPHERE, '--path', '-', '-o', 'x'), b'{"strokes": 5}'),
                              (('prepare', '-', '--smooth', '1', '-o', '-'), b'')):

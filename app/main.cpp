@@ -73,6 +73,17 @@ kerf::Error parse_error(const CLI::App& app, const CLI::ParseError& wrong) {
   return kerf::bad_input(std::string(wrong.what()) + hint + " (see " + asked_of(app) + " --help)");
 }
 
+// Fails if an option or an argument is empty, such as the value of an unset variable of a shell.
+kerf::Status check_no_empty_words(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  for (const CLI::Option* option : command->get_options()) {
+    if (std::ranges::find(option->results(), "") != option->results().end())
+      return kerf::bad_input(option->get_name() + ": must not be empty (see " + asked_of(app) + " --help)");
+  }
+  return kerf::Done{};
+}
+
 // Turns "help COMMAND" into "COMMAND --help". Fails for an unknown command.
 kerf::Status rewrite_help(const CLI::App& app, std::vector<std::string>& arguments) {
   arguments.erase(arguments.begin());
@@ -120,6 +131,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& wrong) {
     return report_error(parse_error(app, wrong));
   }
+  if (const kerf::Status s = check_no_empty_words(app); !s) return report_error(s.error());
   const auto threads = threads_of_environment();
   if (!threads) return report_error(threads.error());
   if (const kerf::Status s = check_simd_of_environment(); !s) return report_error(s.error());

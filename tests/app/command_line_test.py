@@ -64,6 +64,16 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(kerf("prepare", "--smooth", "x"), 2, "(see kerf prepare --help)")
         self.assert_refused(kerf("--no-such-option"), 2, "(see kerf --help)")
 
+    def test_empty_words_are_bad_input(self):
+        cut = ["cut", "plate.obj", "--out", "out"]
+        for option in ("--path", "--drawing", "--settings", "--journal", "--thickness", "--model", "--material", "--depth", "--unit"):
+            self.assert_refused(self.run_here(*cut, option, ""), 2, option)
+            self.assert_refused(self.run_here(*cut, option + "="), 2, option)
+        for command, name in ((["cut", "", "--out", "out"], "MESH"), (["cut", "plate.obj", "--out", ""], "--out"), (["info", ""], "MESH"),
+                              (["render", "plate.obj", "-o", ""], "--out"), ([""], "FILE"), (["replay", ""], "JOURNAL")):
+            self.assert_refused(self.run_here(*command), 2, name)
+        self.assertFalse(os.path.exists(os.path.join(self.folder.name, "out")))
+
     def test_a_name_longer_than_a_file_may_have_is_bad_input(self):
         long = "x" * 300
         self.assert_refused(kerf(long), 2, "xxx: no such file or command")

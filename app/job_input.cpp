@@ -14,6 +14,16 @@ constexpr NumberRange kTurn{-1e6, 1e6, "degrees"};
 constexpr NumberRange kWrapRadius{1e-6, 1e6, "m"};
 constexpr NumberRange kJobScale{1e-6, 1e6, "", true};
 
+// Returns the number of keys of all lines round the cylinder of a wrapped plane, but for rounding.
+double wrapped_keys(const std::vector<DrawnLine>& lines, const JobPlane& plane) {
+  double way = 0;
+  for (const DrawnLine& line : lines) {
+    for (size_t i = 1; i < line.points.size(); ++i) way += glm::length(line.points[i] - line.points[i - 1]);
+    if (line.closed) way += glm::length(line.points.front() - line.points.back());
+  }
+  return plane.scale * way / plane.wrap / kWrapStep;
+}
+
 }  // namespace
 
 void JobInput::add_to(CLI::App& command) {
@@ -141,6 +151,8 @@ Status JobInput::add_strokes(const Bounds& bounds, std::vector<StrokePath>& stro
   const JobPlane plane = placed(bounds);
   if (eye && plane.at == eye_)
     return bad_input("--eye: is the middle of the drawing; give another point, or --at");
+  if (wrap && wrapped_keys(job_.drawing.lines, plane) > double{DrawingLimits::kMaxPoints})
+    return bad_input("--wrap: " + file() + " has too many turns; use a larger radius or a smaller --scale");
   for (const std::string& note : job_.notes) job.notes.push_back(file() + ": " + note);
   if (job_.is_drawing()) {
     strokes = drawing_strokes(job_.drawing.lines, job_.drawing.middle, plane);

@@ -452,6 +452,9 @@ class Jobs(unittest.TestCase):
             window = min(report['pieces'], key=lambda piece: abs(piece['area'] - drop))
             # The centroid of an arc of .03 on the radius .025.
             self.assertAlmostEqual(window['centroid'][1], .025 * math.sin(.6) / .6, delta=1e-4)
+        for more in (['--scale', 1000], ['--scale', 1e6]):
+            said = self.kerf('cut', self.tube(.025, .1), '--drawing', svg, '--wrap', 1e-6, *more, '--out', self.path('o'), status=2)
+            self.assertIn('a.svg has too many turns', said)
         self.assertIn('--wrap: requires --drawing', self.kerf('cut', self.sheet(1), '--wrap', 1, '--out', self.path('o'), status=2))
 
     def compare(self, *arguments):

@@ -94,6 +94,7 @@ class SvgReader {
     if (const Status s = collect_ids(); !s) return s.error();
     Frame frame;
     inherit(root, frame);
+    if (!property(root, "transform").empty()) builder_.leave_out("transform of the page");
     if (const Status s = read_page(root, frame); !s) return s.error();
     if (const Status s = children(root, frame, 0); !s) return s.error();
     if (!builder_.fault().empty()) return bad_input(file_ + ": " + builder_.fault());
@@ -271,6 +272,18 @@ class SvgReader {
     if (given(stroke)) frame.stroke = stroke;
   }
 
+  // Counts the properties of an element that have no effect here.
+  void count_effects(const pugi::xml_node& node) {
+    for (const char* const effect : {"clip-path", "mask", "stroke-dasharray"}) {
+      const std::string_view value = property(node, effect);
+      if (!value.empty() && value != "none") builder_.leave_out(effect);
+    }
+    const char* const applied = node.attribute("transform").value();
+    const std::string_view transform = property(node, "transform");
+    if (transform.data() != applied && transform != "none") builder_.leave_out("transform in style");
+    if (*applied != 0 && !property(node, "transform-origin").empty()) builder_.leave_out("transform-origin");
+  }
+
   Status element(const pugi::xml_node& node, Frame frame, int depth) {
     if (depth > DrawingLimits::kMaxDepth) return wrong(node, "", {0, "elements are nested too deeply"});
     if (!builder_.count_element()) return bad_input(file_ + ": " + builder_.fault());
@@ -284,10 +297,7 @@ class SvgReader {
       if (const auto fault = parse_svg_transform(transform.value(), frame.map))
         return wrong(node, "transform", *fault);
     }
-    for (const char* const effect : {"clip-path", "mask", "stroke-dasharray"}) {
-      const std::string_view value = property(node, effect);
-      if (!value.empty() && value != "none") builder_.leave_out(effect);
-    }
+    count_effects(node);
     if (name == "g" || name == "a" || name == "switch") return children(node, frame, depth);
     if (name == "svg") return inner_svg(node, node, frame, depth);
     if (name == "use") return use(node, frame, depth);

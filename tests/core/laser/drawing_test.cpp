@@ -236,6 +236,16 @@ TEST(SvgDrawing, the_root_and_symbols_pass_their_properties_on) {
             "red ");
 }
 
+TEST(SvgDrawing, transforms_that_are_not_applied_are_reported) {
+  EXPECT_EQ(left_out_text(svg_of("<path d='M0 0h9' transform='scale(2)' transform-origin='4 5'/>"
+                                 "<g style='stroke: red; transform: rotate(90deg)'><path d='M0 0h9'/></g>"
+                                 "<path d='M0 0h9' transform='scale(2)' style='stroke: red'/>")),
+            "left out: 1 transform in style, 1 transform-origin");
+  const auto turned = read_svg("<svg transform='rotate(90)'><path d='M0 0h9'/></svg>", "test.svg", kFlatness);
+  ASSERT_TRUE(turned.ok());
+  EXPECT_EQ(left_out_text(*turned), "left out: 1 transform of the page");
+}
+
 TEST(SvgDrawing, a_style_sheet_is_reported) {
   EXPECT_EQ(left_out_text(svg_of("<style>.a{display:none}</style><path class='a' d='M0 0h9'/>")),
             "left out: 1 style sheet");

@@ -71,6 +71,7 @@ class PathRun {
     if (const Status s = unpack(strokes_of(*job), strokes); !s) return s;
     if (strokes.empty())
       return bad_input(options_.file + ": the laser is never on while it moves; nothing is left to write");
+    warn_of_dwells(strokes);
     const auto text = written(strokes);
     if (!text) return bad_input(options_.file + ": " + text.error().message);
     if (const Status s = write_file_atomically(options_.out, *text); !s) return s;
@@ -203,6 +204,18 @@ class PathRun {
     stroke.focus = source.focus;
     stroke.pulse_rate = source.pulse_rate;
     stroke.duty = source.duty;
+  }
+
+  // Warns of strokes with dwells in which the laser is off: M4 adapts the power to the speed.
+  void warn_of_dwells(const std::vector<StrokePath>& strokes) const {
+    if (post_.laser_on != "M4" && !post_.laser_on.starts_with("M4 ")) return;
+    const auto count = std::ranges::count_if(strokes, [](const StrokePath& stroke) {
+      const auto is_same = [](const Pose& a, const Pose& b) { return a.origin == b.origin; };
+      return stroke.keys.size() == 1 || std::ranges::adjacent_find(stroke.keys, is_same) != stroke.keys.end();
+    });
+    if (count > 0)
+      warn(options_.out + ": with M4 of --post the laser is off in the dwells of " +
+           count_text(static_cast<size_t>(count), "stroke") + "; use M3 there");
   }
 
   Result<std::string> written(const std::vector<StrokePath>& strokes) const {

@@ -254,6 +254,12 @@ class Jobs(unittest.TestCase):
         for name in ('grbl', 'linuxcnc'):
             self.kerf('path', svg, '--out', self.path('a.nc'), '--post', os.path.join(DRAWINGS, name + '.json'))
             self.kerf('path', self.path('a.nc'), '--out', self.path('b.json'))
+        # GRBL's M4 adapts the power to the speed.
+        dwells = {'keys': [{'t': t, 'origin': [x, 0, 0], 'direction': [0, -1, 0]} for t, x in ((0, 0), (1, 0), (2, 1))]}
+        path = self.write('dwells.json', json.dumps({'strokes': [dwells, {'keys': dwells['keys'][:1]}, {'keys': dwells['keys'][1:]}]}))
+        for name, warned in (('grbl', True), ('linuxcnc', False)):
+            said = self.kerf('path', path, '--out', self.path('a.nc'), '--post', os.path.join(DRAWINGS, name + '.json'))
+            self.assertEqual(warned, 'a.nc: with M4 of --post the laser is off in the dwells of 2 strokes' in said)
         wrong = self.write('post.json', '{"on": "M3"}')
         self.assertIn('post.json: /on', self.kerf('path', svg, '--out', self.path('b.nc'), '--post', wrong, status=2))
         self.assertIn('--post: requires an --out that ends in .nc', self.kerf('path', svg, '--out', self.path('b.svg'), '--post', wrong, status=2))

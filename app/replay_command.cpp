@@ -86,7 +86,8 @@ Status replay_match(const std::filesystem::path& file, const std::optional<uint6
   const uint64_t hash = state_hash(match.world());
   std::cout << hash_text(hash) << '\n';
   if (!recording->damage.empty() && !recording->torn) return failed(recording->damage);
-  return judge(file.string(), hash, *recording, expected);
+  const Status judged = judge(file.string(), hash, *recording, expected);
+  return judged ? flush_output() : judged;
 }
 
 // One run of `kerf replay`.
@@ -118,7 +119,8 @@ class ReplayRun {
       if (const auto s = folder.write(job_, document.world(), first_settings_.value_or(CutSettings())); !s)
         return s.error();
     }
-    return judge(replay, hash);
+    const Status judged = judge(replay, hash);
+    return judged ? flush_output() : judged;
   }
 
  private:

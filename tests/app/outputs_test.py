@@ -194,6 +194,13 @@ class Outputs(unittest.TestCase):
         self.assert_refused_and_unchanged(["cut", "plate.obj", "--out", "new/", "--journal", "new/report.json"], "--journal")
         self.assertFalse(os.path.exists(self.path("new")))
 
+    def test_results_that_cannot_be_written_are_a_failure(self):
+        self.cut("plate.obj", "--path", "once.json", "--out", "out", "--journal", "j.kerf")
+        for args in (["replay", "j.kerf"], ["info", "plate.obj"], ["materials"], ["inspect", "plate.obj", "--tree"],
+                     ["compare", "plate.obj", "plate.obj"]):
+            done = self.kerf(*args, limit="exec >/dev/full")
+            self.assertEqual((done.returncode, done.stderr), (1, "kerf: cannot write to standard output\n"), args)
+
     def test_an_incomplete_journal_does_not_affect_pieces(self):
         strokes = [stroke(-0.4 + 0.001 * (i % 800)) for i in range(400)]
         self.write("many.json", json.dumps({"strokes": strokes}))

@@ -1,5 +1,6 @@
 #include "app/console.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <tuple>
 
 #include "core/mesh/mesh_file.h"
 
@@ -64,6 +66,13 @@ Result<std::string> input_file(const std::string& argument) {
   if (const Status copied = copy_input(file); !copied) return copied.error();
   input_name = "/proc/self/fd/" + std::to_string(file);
   return input_name;
+}
+
+void open_standard_streams() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(file, F_GETFD) < 0)
+      std::ignore = ::open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
 }
 
 std::string with_stream_names(std::string message) {

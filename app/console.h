@@ -21,6 +21,10 @@ inline constexpr const char* kStream = "-";
 // read. Call it before catch_interrupts(), because a signal does not end the wait for input.
 Result<std::string> input_file(const std::string& argument);
 
+// Opens closed standard streams, so that no other file gets their numbers and the messages of the program.
+// Reading from them and writing to them still fails. Call it before any file is opened.
+void open_standard_streams();
+
 // Returns a message with "standard input" and "standard output" in place of the files that stand for them.
 std::string with_stream_names(std::string message);
 

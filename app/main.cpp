@@ -143,6 +143,7 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  kerf::open_standard_streams();
   // An exceeded quota and a closed pipe become failed writes instead of signals.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);

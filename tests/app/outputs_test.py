@@ -201,6 +201,14 @@ class Outputs(unittest.TestCase):
             done = self.kerf(*args, limit="exec >/dev/full")
             self.assertEqual((done.returncode, done.stderr), (1, "kerf: cannot write to standard output\n"), args)
 
+    def test_closed_standard_streams_do_not_reach_files(self):
+        cut = ["cut", "plate.obj", "--path", "once.json", "--model", "thermal", "--depth", "1", "--out", "out", "--journal"]
+        self.cut(*cut[1:], "j.kerf")
+        done = self.kerf(*cut, "k.kerf", limit="exec 2>&-")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(self.read("k.kerf"), self.read("j.kerf"))
+        self.assertEqual(self.kerf("replay", "k.kerf", limit="exec >&-").returncode, 1)
+
     def test_an_incomplete_journal_does_not_affect_pieces(self):
         strokes = [stroke(-0.4 + 0.001 * (i % 800)) for i in range(400)]
         self.write("many.json", json.dumps({"strokes": strokes}))

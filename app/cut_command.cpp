@@ -184,6 +184,7 @@ class CutRun {
     World world;
     for (SceneBody& body : scene_.bodies) {
       if (interrupted()) return stopped();
+      if (const Status same = check_hash(body); !same) return same;
       Result<BuiltMesh> built = [&] {
         const Stopwatch watch(job_.load_s);
         return load_mesh(body.mesh, {body.unit, !options_.provenance.empty()});

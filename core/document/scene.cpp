@@ -21,15 +21,6 @@ namespace {
 
 constexpr double kHashing = 0.02;  // fraction of the load time of a body with a known hash
 
-Status check_hash(const SceneBody& body, const Progress& progress) {
-  const auto hash = file_hash(body.mesh, &progress);
-  if (!hash) return hash.error();
-  if (*hash == *body.hash) return Done{};
-  return bad_input(
-      body.mesh.string() +
-      ": the mesh differs from the one that the journal was recorded with: restore the original file");
-}
-
 bool is_solid(Solidity solid, const Body& loaded) {
   if (solid != Solidity::kAuto) return solid == Solidity::kSolid;
   const EnclosedVolume enclosed = enclosed_volume(loaded.mesh, loaded.middle());
@@ -161,6 +152,16 @@ Result<SceneDescription> read_description(const std::filesystem::path& file, Fil
   return read_described<SceneDescription>(file);
 }
 
+Status check_hash(const SceneBody& body, const Progress* progress) {
+  if (!body.hash) return Done{};
+  const auto hash = file_hash(body.mesh, progress);
+  if (!hash) return hash.error();
+  if (*hash == *body.hash) return Done{};
+  return bad_input(
+      body.mesh.string() +
+      ": the mesh differs from the one that the journal was recorded with: restore the original file");
+}
+
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {
   body.placement = description.placement;
   body.sheet = description.sheet;
@@ -191,9 +192,7 @@ Result<Scene> load_scene(SceneDescription description, const Progress* progress)
   for (const SceneBody& body : scene.bodies) {
     const double hashed = body.hash ? kHashing : 0;
     const Progress hashing = shares.next(hashed * share), loading = shares.next((1 - hashed) * share);
-    if (body.hash) {
-      if (const auto same = check_hash(body, hashing); !same) return same.error();
-    }
+    if (const auto same = check_hash(body, &hashing); !same) return same.error();
     auto loaded = load_body(body.name, body.mesh, &loading, body.unit);
     if (!loaded) return loaded.error();
     if (const auto added = add_scene_body(body, std::move(*loaded), scene.world); !added)

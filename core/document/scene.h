@@ -101,6 +101,8 @@ Result<Scene> read_scene(const std::filesystem::path& file, const Progress* prog
 // The error of a unit other than the metre for a scene or a journal.
 Error states_units(const std::filesystem::path& file);
 
+// Fails with bad input if the mesh file of a body has another hash than its description states.
+Status check_hash(const SceneBody& body, const Progress* progress = nullptr);
 // Computes the missing hashes of mesh files, as journals require. Fails if a file cannot be read.
 Status record_hashes(SceneDescription& description, const Progress* progress = nullptr);
 

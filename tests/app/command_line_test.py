@@ -159,6 +159,15 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(report["settings"]["rim"], rim)
             self.assertEqual("walls" in report, bool(solid))
 
+    def test_a_mesh_that_differs_from_the_hash_of_its_scene_is_not_cut(self):
+        self.cut("--journal", "cut.kerf")
+        body, = json.loads(self.read("cut.kerf").splitlines()[0])["bodies"]
+        self.write("scene.json", json.dumps({"bodies": [body]}))
+        self.report_of("scene.json", "--path", "across.json")
+        self.write("plate.obj", PLATE + "v 1 2 3\n")
+        refused = self.run_here("cut", "scene.json", "--path", "across.json", "--out", "o", "--journal", "o.kerf")
+        self.assert_refused(refused, 2, "plate.obj: the mesh differs")
+
     def test_a_journal_of_solid_bodies_replays_to_its_hash(self):
         report = self.cut("--solid", "--journal", "cut.kerf")
         self.assertIs(json.loads(self.read("cut.kerf").splitlines()[0])["bodies"][0]["solid"], True)

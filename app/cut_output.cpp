@@ -346,9 +346,11 @@ Status write_outline(const Part& part, const PiecesFolder& folder, const Vec3& o
   piece.positions = seen_from(origin, std::move(piece.positions));
   const auto lines = flat_outline(piece);
   if (!lines) return Done{};
-  file.piece.outline = file.stem + "." + folder.outlines;
+  const std::string name = file.stem + "." + folder.outlines;
   const std::string text = folder.outlines == "svg" ? svg_text(*lines) : dxf_text(*lines);
-  return write_file_atomically(fs::path(folder.path) / file.piece.outline, text);
+  const Status written = write_file_atomically(fs::path(folder.path) / name, text);
+  if (written) file.piece.outline = name;
+  return written;
 }
 
 // Writes one file with all pieces.
@@ -378,37 +380,44 @@ Status write_provenance(const std::vector<Part>& parts, const PiecesFolder& fold
   return provenance.write(folder.provenance);
 }
 
-// Writes several pieces at a time. Appends those that were written, and notes on lost looks. Fails if some
-// are missing.
+// Writes several pieces at a time. Appends those of which a file was written, and notes on lost looks. Fails
+// if files are missing.
 Status write_pieces(const World& world, const PiecesFolder& folder, const SurfaceFiles& surfaces,
                     const Vec3& origin, std::vector<WrittenPiece>& written, std::vector<std::string>& notes) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);
   const bool moved = any_has_moved(world);
   const MeshFormat format = *mesh_format(folder.format);
-  std::vector<std::optional<Result<WrittenPiece>>> results(parts.size());
+  std::vector<std::optional<WrittenPiece>> results(parts.size());
+  std::vector<Status> saved(parts.size(), Done{});
   std::vector<std::unique_ptr<PieceFile>> kept(folder.single_file ? parts.size() : 0);
   ProgressLine line("writing");
   const Progress progress = line.progress();
   const bool completed = for_each_range(parts.size(), 1, &progress, [&](size_t i, size_t) {
     auto file = std::make_unique<PieceFile>(parts[i], i, folder, surfaces, origin, moved);
-    Status saved = write_outline(parts[i], folder, origin, *file);
-    if (folder.single_file && saved) {
+    saved[i] = write_outline(parts[i], folder, origin, *file);
+    if (folder.single_file) {
       kept[i] = std::move(file);
       return;
     }
-    if (saved) saved = write_mesh(file->view, fs::path(folder.path) / file->piece.file, format);
-    if (saved) file->piece.precision = precision_loss(file->view, format);
-    results[i] = saved ? Result<WrittenPiece>(std::move(file->piece)) : saved.error();
+    if (saved[i]) saved[i] = write_mesh(file->view, fs::path(folder.path) / file->piece.file, format);
+    if (saved[i]) file->piece.precision = precision_loss(file->view, format);
+    if (!saved[i]) file->piece.file.clear();
+    results[i] = std::move(file->piece);
   });
   Status status = Done{};
-  for (const auto& result : results) {
-    if (result && *result) written.push_back(**result);
-    if (result && !*result && status) status = result->error();
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (results[i]) written.push_back(std::move(*results[i]));
+    if (!saved[i] && status) status = saved[i];
   }
   if (completed && status && folder.single_file) status = write_single_file(kept, folder, written);
+  const bool is_missing = written.size() < parts.size();
+  for (const auto& file : kept) {
+    if (!is_missing || !file) continue;
+    file->piece.file.clear();
+    written.push_back(std::move(file->piece));
+  }
   if (!status) return status;
-  if (written.size() < parts.size())
-    return failed("stopped before all pieces were written, so there is no report");
+  if (is_missing) return failed("stopped before all pieces were written, so there is no report");
   LostLooks lost;
   for (const Part& part : parts) lost.add(*part.body, part.extract, format);
   lost.add_notes(format, notes);

@@ -97,6 +97,21 @@ class Outputs(unittest.TestCase):
         self.cut("plate.obj", "--out", "out")
         self.assert_one_run()
 
+    def test_a_failed_run_leaves_no_outlines(self):
+        rows = 60
+        corners = "".join(f"v {x} 0 {y}\n" for y in range(rows) for x in range(rows))
+        faces = "".join(f"f {a} {a + rows} {a + rows + 1} {a + 1}\n" for y in range(rows - 1)
+                        for a in range(y * rows + 1, y * rows + rows))
+        self.write("grid.obj", corners + faces)
+        for options in ([], ["--format", "glb", "--single-file"]):
+            cut = ["cut", "grid.obj", "--out", "out", "--outlines", "svg", *options]
+            done = self.kerf(*cut, limit="ulimit -f 20")  # less than a piece, more than its outline
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(self.files(), [])
+            self.cut(*cut[1:])
+            self.assertIn("piece-0000.svg", self.files())
+            shutil.rmtree(self.path("out"))
+
     def test_a_mesh_in_the_output_folder_is_rejected_as_input(self):
         self.cut("plate.obj", "--path", "once.json", "--out", "out")
         for options in ([], ["--format", "ply"], ["--journal", "out.kerf"]):

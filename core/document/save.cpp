@@ -1,8 +1,10 @@
 #include "core/document/save.h"
 
 #include <sys/stat.h>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
 #include "core/mesh/files/mtl_file.h"
+#include "core/mesh/files/side_file.h"
 #include "core/mesh/files/soup_file.h"
 #include "core/mesh/looks.h"
 #include "core/mesh/mesh_file.h"
@@ -58,7 +61,23 @@ std::vector<fs::path> files_of_gltf(const fs::path& file) {
   return files;
 }
 
-namespace fs = std::filesystem;
+// The texture that the header of a PLY file names in a comment; none if it names no file.
+std::vector<fs::path> files_of_ply(const fs::path& file) {
+  constexpr std::string_view kKeyword = "TextureFile", kBlanks = " \t", kLineEnds = "\r\n";
+  std::string header(size_t{1} << 16, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(header.data(), static_cast<std::streamsize>(header.size()));
+  header.resize(static_cast<size_t>(in.gcount()));
+  header.resize(std::min(header.size(), header.find("end_header")));
+  const size_t keyword = header.find(kKeyword);
+  if (keyword == std::string::npos) return {};
+  const size_t begin = header.find_first_not_of(kBlanks, keyword + kKeyword.size());
+  std::string name = header.substr(std::min(begin, header.size()));
+  name.resize(std::min(name.size(), name.find_first_of(kLineEnds)));
+  name.resize(name.find_last_not_of(kBlanks) + 1);
+  const auto texture = side_file(file.has_parent_path() ? file.parent_path() : ".", name);
+  return texture ? std::vector{*texture} : std::vector<fs::path>();
+}
 
 fs::path folder_of(const fs::path& file) {
   std::error_code error;
@@ -101,11 +120,15 @@ Status save_faces(const Body& body, std::span<const FaceId> faces, const fs::pat
 }  // namespace
 
 void InputFiles::add(const fs::path& file) {
-  if (const auto there = regular_file(file)) files_.push_back({there->st_dev, there->st_ino, file});
+  const auto own = regular_file(file);
+  if (!own) return;
+  files_.push_back({own->st_dev, own->st_ino, file});
   const auto format = mesh_format(file.extension().string());
   if (format == MeshFormat::kObj) objs_.push_back(file);
-  if (format != MeshFormat::kGltf) return;
-  for (const fs::path& part : files_of_gltf(file)) {
+  std::vector<fs::path> parts;
+  if (format == MeshFormat::kGltf) parts = files_of_gltf(file);
+  if (format == MeshFormat::kPly) parts = files_of_ply(file);
+  for (const fs::path& part : parts) {
     if (const auto there = regular_file(part)) files_.push_back({there->st_dev, there->st_ino, part});
   }
 }

@@ -21,8 +21,8 @@ namespace kerf {
 // overwritten.
 class InputFiles {
  public:
-  // Adds a file, for a glTF file its buffers and images, and for an OBJ file its material libraries and
-  // images.
+  // Adds a file, for a glTF file its buffers and images, for a PLY file its texture, and for an OBJ file its
+  // material libraries and images.
   void add(const std::filesystem::path& file);
   void add_meshes(const SceneDescription& scene);
   void add_meshes(std::span<const Command> commands);

@@ -155,7 +155,13 @@ class Outputs(unittest.TestCase):
         self.write("look.obj", 'mtllib look.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n')
         self.write("look.mtl", "newmtl a\nmap_Kd look.png\n")
         self.write("look.png", "not an image")
+        self.write("paint.png", "not an image")
+        self.write("look.ply", "ply\nformat ascii 1.0\ncomment TextureFile paint.png\nelement vertex 3\nproperty float x\n"
+                   "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         self.assert_refused_and_unchanged(["render", "look.obj", "--out", "look.png"], "--out", "look.png")
+        self.assert_refused_and_unchanged(["render", "look.ply", "--out", "paint.png"], "--out", "paint.png")
+        self.assert_refused_and_unchanged(["cut", "look.ply", "--out", "out", "--journal", "paint.png"], "--journal", "paint.png")
         for name in ("look.mtl", "look.png"):
             self.assert_refused_and_unchanged(["cut", "look.obj", "--plane", "1,0,0,0.5", "--out", "out", "--journal", name],
                                               "--journal", name)

@@ -265,6 +265,7 @@ Status merge_settings_file(CutOptions& o) {
   if (!text) return text.error();
   const auto json = parse_json(*text, o.settings);
   if (!json) return json.error();
+  if (const Status unique = check_unique_keys(*text, o.settings); !unique) return unique;
   const JsonValue root(*json, o.settings);
   if (const auto object = root.object(); !object) return object;
   // A resolution on the command line replaces that of the file, even if they are of different kinds.

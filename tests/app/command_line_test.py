@@ -507,6 +507,15 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(done, 2, "/thicknes", '"thickness"')
         self.assert_refused(self.run_here("cut", "plate.obj", "--out", "o", "--raduis=1"), 2, "--raduis", '"--radius"')
 
+    def test_a_key_that_is_given_twice_is_rejected(self):
+        whole = json.dumps(ACROSS)
+        self.write("path.json", whole[:-1] + ', "strokes": []}')
+        done = self.run_here("cut", "plate.obj", "--out", "o", "--path", "path.json")
+        self.assert_refused(done, 2, 'path.json: line 1: the key "strokes" is in this object twice')
+        self.write("settings.json", '{"radius": 0.1,\n "depth": 1,\n "radius": 0.2}')
+        done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json")
+        self.assert_refused(done, 2, 'settings.json: line 3: the key "radius"')
+
     def test_a_partly_penetrating_beam_is_not_reported_as_a_miss(self):
         report = self.thermal(5)
         self.assertEqual(report["removed"]["faces"], 0)

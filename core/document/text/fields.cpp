@@ -405,6 +405,7 @@ Status read_text_fields(std::string_view text, const std::string& where, const s
                         const std::function<void(Fields&)>& visit) {
   const auto json = parse_json(text, where);
   if (!json) return json.error();
+  if (const Status unique = check_unique_keys(text, where); !unique) return unique;
   const JsonValue root(*json, where);
   Fields::Pass pass{folder};
   Fields fields(root, pass);

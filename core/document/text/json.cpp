@@ -188,6 +188,33 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
   }
 }
 
+Status check_unique_keys(std::string_view text, const std::string& file) {
+  std::vector<std::string_view> keys;  // of all open objects
+  std::vector<size_t> firsts;          // of each open object
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{') firsts.push_back(keys.size());
+    if (text[i] == '}') {
+      const auto first = keys.begin() + static_cast<std::ptrdiff_t>(firsts.back());
+      std::sort(first, keys.end());
+      const auto twice = std::adjacent_find(first, keys.end());
+      if (twice != keys.end()) {
+        const char* const later = std::max(twice[0].data(), twice[1].data());
+        return bad_input(file + ": line " + std::to_string(1 + std::count(text.data(), later, '\n')) +
+                         ": the key \"" + std::string(twice->substr(0, kComparedLetters)) +
+                         "\" is in this object twice");
+      }
+      keys.erase(first, keys.end());
+      firsts.pop_back();
+    }
+    if (text[i] != '"') continue;
+    const size_t begin = i + 1;
+    for (++i; text[i] != '"'; ++i) i += text[i] == '\\' ? 1 : 0;
+    const size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+    if (next != std::string_view::npos && text[next] == ':') keys.push_back(text.substr(begin, i - begin));
+  }
+  return Done{};
+}
+
 Result<std::string> read_text_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);

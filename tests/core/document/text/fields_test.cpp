@@ -50,6 +50,21 @@ std::string error_of(const std::string& text) {
   return status ? "" : status.error().message;
 }
 
+TEST(Fields, a_key_that_is_twice_in_an_object_is_refused_with_its_line) {
+  const auto fault = [](const std::string& text) {
+    const Status unique = check_unique_keys(text, "a.json");
+    return unique ? std::string() : unique.error().message;
+  };
+  EXPECT_EQ(fault("{\"a\": 1,\n\"b\": [{\"a\": 2}, {\"a\": \"a\"}]}"), "");
+  EXPECT_EQ(fault("{\"a\": 1,\n \"b\": 2,\n \"a\" : 3}"),
+            "a.json: line 3: the key \"a\" is in this object twice");
+  EXPECT_EQ(fault("[{\"a\": {\"b\": 1, \"c\": {}, \"b\": 2}}]"),
+            "a.json: line 1: the key \"b\" is in this object twice");
+  // Strings may hold brackets, quotes and what looks like keys.
+  EXPECT_EQ(fault(R"({"a}": "{\\", "b\"": "\"c\": {", "c": ["c", "c"], "": ":"})"), "");
+  EXPECT_EQ(fault("5"), "");
+}
+
 TEST(Fields, missing_keys_get_the_defaults_of_the_table) {
   Lamp lamp;
   ASSERT_TRUE(read(R"({"power": 60})", lamp).ok());

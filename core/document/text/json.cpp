@@ -45,6 +45,11 @@ size_t distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+// Returns the number of the line at an offset, from 1.
+std::string line_at(std::string_view text, size_t offset) {
+  return std::to_string(1 + std::ranges::count(text.substr(0, offset), '\n'));
+}
+
 using Json = nlohmann::ordered_json;
 
 void append_exactly(std::string& text, const Json& json) {
@@ -177,12 +182,17 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& fault) {
     const size_t at = std::min(text.size(), fault.byte > 0 ? fault.byte - 1 : 0);
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     const size_t first = text.find_first_not_of(" \t\r\n");
     const bool begins_as_json = first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
     const std::string_view kind = begins_as_json ? std::string_view() : kind_of_file(text);
-    return bad_input(file + ": line " + std::to_string(line) + ": this is " +
+    return bad_input(file + ": line " + line_at(text, at) + ": this is " +
                      (kind.empty() ? "not JSON" : std::string(kind) + ", not JSON"));
+  } catch (const nlohmann::json::out_of_range& fault) {
+    // "[..] number overflow parsing '1e999'"
+    const std::string_view what = fault.what();
+    const std::string_view number = what.substr(what.find('\'') + 1, what.rfind('\'') - what.find('\'') - 1);
+    return bad_input(file + ": line " + line_at(text, std::min(text.find(number), text.size())) +
+                     ": the number " + std::string(number.substr(0, kComparedLetters)) + " is too large");
   } catch (const std::exception&) {
     return bad_input(file + ": this is not valid JSON");
   }
@@ -198,10 +208,9 @@ Status check_unique_keys(std::string_view text, const std::string& file) {
       std::sort(first, keys.end());
       const auto twice = std::adjacent_find(first, keys.end());
       if (twice != keys.end()) {
-        const char* const later = std::max(twice[0].data(), twice[1].data());
-        return bad_input(file + ": line " + std::to_string(1 + std::count(text.data(), later, '\n')) +
-                         ": the key \"" + std::string(twice->substr(0, kComparedLetters)) +
-                         "\" is in this object twice");
+        const auto later = std::max(twice[0].data(), twice[1].data()) - text.data();
+        return bad_input(file + ": line " + line_at(text, static_cast<size_t>(later)) + ": the key \"" +
+                         std::string(twice->substr(0, kComparedLetters)) + "\" is in this object twice");
       }
       keys.erase(first, keys.end());
       firsts.pop_back();

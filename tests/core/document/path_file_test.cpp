@@ -31,6 +31,11 @@ class PathFile : public ::testing::Test {
   }
 };
 
+TEST_F(PathFile, a_number_that_is_too_large_is_refused_with_its_line) {
+  expect_refused("{\"strokes\":\n [{\"laser\": {\"radius\": 1e999}}]}",
+                 ": line 2: ", "the number 1e999 is too large");
+}
+
 TEST_F(PathFile, a_read_error_is_not_the_end_of_the_file) {
   const auto strokes = read_path_file("/proc/self/mem");  // nothing can be read at its start
   ASSERT_FALSE(strokes.ok());

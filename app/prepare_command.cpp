@@ -84,12 +84,13 @@ class PrepareRun {
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
     summarize(std::to_string(before) + " faces became " + std::to_string(world_.live_faces()) + " in " +
-              (options_.out == kStream ? "standard output" : options_.out));
+              out_name());
     return Done{};
   }
 
  private:
   const Body& body() const { return world_.body(world_.ids()[0]); }
+  std::string out_name() const { return options_.out == kStream ? "standard output" : options_.out; }
 
   Status prepare() {
     if (options_.turn_shells) {
@@ -172,7 +173,7 @@ class PrepareRun {
           "standard output holds no material library: materials keep their names only; use --format glb");
     if (names == 1 && !holds_name) notes.emplace_back("the name of the part is not written");
     if (names > 1) notes.push_back("the names of " + std::to_string(names) + " parts are not written");
-    for (const std::string& note : notes) warn(options_.out + ": " + note);
+    for (const std::string& note : notes) warn(out_name() + ": " + note);
     return Done{};
   }
 

@@ -98,6 +98,11 @@ class Pipe(unittest.TestCase):
             self.assertEqual(self.report(out)['state_hash'], wanted['state_hash'])
             self.assertEqual(self.report(out)['inputs'], inputs)
 
+    def test_warnings_name_standard_output(self):
+        far = b'v 1000000 0 0\nv 1000000.001 0 0\nv 1000000 0.001 0\nf 1 2 3\n'
+        done = self.kerf('prepare', '-', '--subdivide', 'midpoint', '--out', '-', '--format', 'stl', input=far)
+        self.assertIn(b'kerf: warning: standard output: STL stores single precision', done.stderr)
+
     def test_notes_name_standard_input(self):
         keys = [{'t': t, 'origin': [x, 3, 0.1], 'direction': [0, -1, 0]} for t, x in ((0, 0), (1, 2))]
         knife = json.dumps({'strokes': [{'laser': {'radius': 0, 'range': [0, 10]}, 'keys': keys}]})

@@ -100,8 +100,10 @@ class DxfReader {
     return draw_kind(entity, corners, **mirrored, {placing.map, layer, placing.depth});
   }
 
-  // Returns true if the plane of the entity is seen from behind, nullopt if it is tilted.
+  // Returns true if the plane of the entity is seen from behind, nullopt if it is tilted. A line has no
+  // plane: its normal is the direction of its thickness.
   static Result<std::optional<bool>> is_mirrored(const DxfEntity& entity) {
+    if (entity.type() == "LINE") return std::optional(false);
     const auto normal = entity.point(210);
     const auto z = entity.number(230, 1);
     if (!normal) return normal.error();

@@ -366,6 +366,16 @@ TEST(DxfDrawing, rational_splines_are_exact_circles) {
   expect_on_circle(drawing.lines[0], Vec2(0), 0.01);
 }
 
+TEST(DxfDrawing, lines_are_drawn_whatever_the_direction_of_their_thickness) {
+  for (const char* const normal : {"210\n0\n220\n-1\n230\n0\n", "210\n0\n220\n0\n230\n-1\n"}) {
+    const Drawing drawing = dxf_of(std::string("0\nLINE\n10\n1\n20\n2\n11\n3\n21\n4\n") + normal);
+    EXPECT_EQ(left_out_text(drawing), std::nullopt);
+    ASSERT_EQ(drawing.lines.size(), 1u);
+    EXPECT_LT(glm::length(drawing.lines[0].points[0] - kMillimetre * Vec2(1, 2)), 1e-15);
+    EXPECT_LT(glm::length(drawing.lines[0].points[1] - kMillimetre * Vec2(3, 4)), 1e-15);
+  }
+}
+
 TEST(DxfDrawing, mirrored_planes_hidden_layers_and_other_entities_are_told_apart) {
   const std::string layers = "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nOFF\n62\n-7\n70\n0\n0\nENDSEC\n";
   const Drawing drawing = dxf_of(

@@ -199,8 +199,9 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
 }
 
 Status check_unique_keys(std::string_view text, const std::string& file) {
-  std::vector<std::string_view> keys;  // of all open objects
-  std::vector<size_t> firsts;          // of each open object
+  text = text.substr(0, text.find('\0'));  // parse_json() reads no further
+  std::vector<std::string_view> keys;      // of all open objects
+  std::vector<size_t> firsts;              // of each open object
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '{') firsts.push_back(keys.size());
     if (text[i] == '}') {

@@ -80,8 +80,8 @@ Status assign(const Result<T>& result, Target& target) {
 // Parses a text. The error names `file` and the line.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file);
 
-// Fails with bad input if an object has a key twice, of which parse_json() keeps the last one. The error names
-// `file` and the line. Keys are compared as written. Precondition: the text is JSON. O(n log n).
+// Fails with bad input if an object has a duplicate key, of which parse_json() keeps the last one. The error
+// names `file` and the line. Keys are compared as written. Precondition: parse_json() succeeds. O(n log n).
 Status check_unique_keys(std::string_view text, const std::string& file);
 
 // Reads a regular file. The error names the file.

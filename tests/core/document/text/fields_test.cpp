@@ -63,6 +63,8 @@ TEST(Fields, a_key_that_is_twice_in_an_object_is_refused_with_its_line) {
   // Strings may hold brackets, quotes and what looks like keys.
   EXPECT_EQ(fault(R"({"a}": "{\\", "b\"": "\"c\": {", "c": ["c", "c"], "": ":"})"), "");
   EXPECT_EQ(fault("5"), "");
+  // The text ends at a null character.
+  EXPECT_EQ(fault(std::string("{}\0}\"", 5)), "");
 }
 
 TEST(Fields, missing_keys_get_the_defaults_of_the_table) {

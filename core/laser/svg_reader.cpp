@@ -94,7 +94,8 @@ class SvgReader {
     if (const Status s = collect_ids(); !s) return s.error();
     Frame frame;
     inherit(root, frame);
-    if (!property(root, "transform").empty()) builder_.leave_out("transform of the page");
+    if (const std::string_view turned = property(root, "transform"); !turned.empty() && turned != "none")
+      builder_.leave_out("transform of the page");
     if (const Status s = read_page(root, frame); !s) return s.error();
     if (const Status s = children(root, frame, 0); !s) return s.error();
     if (!builder_.fault().empty()) return bad_input(file_ + ": " + builder_.fault());
@@ -278,10 +279,11 @@ class SvgReader {
       const std::string_view value = property(node, effect);
       if (!value.empty() && value != "none") builder_.leave_out(effect);
     }
-    const char* const applied = node.attribute("transform").value();
+    const std::string_view applied = node.attribute("transform").value();
     const std::string_view transform = property(node, "transform");
-    if (transform.data() != applied && transform != "none") builder_.leave_out("transform in style");
-    if (*applied != 0 && !property(node, "transform-origin").empty()) builder_.leave_out("transform-origin");
+    if (transform != applied && transform != "none") builder_.leave_out("transform in style");
+    if (!applied.empty() && !property(node, "transform-origin").empty())
+      builder_.leave_out("transform-origin");
   }
 
   Status element(const pugi::xml_node& node, Frame frame, int depth) {

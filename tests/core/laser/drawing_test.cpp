@@ -244,6 +244,10 @@ TEST(SvgDrawing, transforms_that_are_not_applied_are_reported) {
   const auto turned = read_svg("<svg transform='rotate(90)'><path d='M0 0h9'/></svg>", "test.svg", kFlatness);
   ASSERT_TRUE(turned.ok());
   EXPECT_EQ(left_out_text(*turned), "left out: 1 transform of the page");
+  const auto upright =
+      read_svg("<svg style='transform: none'><path d='M0 0h9'/></svg>", "test.svg", kFlatness);
+  ASSERT_TRUE(upright.ok());
+  EXPECT_EQ(left_out_text(*upright), std::nullopt);
 }
 
 TEST(SvgDrawing, a_style_sheet_is_reported) {

@@ -157,9 +157,8 @@ Status check_hash(const SceneBody& body, const Progress* progress) {
   const auto hash = file_hash(body.mesh, progress);
   if (!hash) return hash.error();
   if (*hash == *body.hash) return Done{};
-  return bad_input(
-      body.mesh.string() +
-      ": the mesh differs from the one that the journal was recorded with: restore the original file");
+  return bad_input(body.mesh.string() +
+                   ": the mesh differs from the one whose hash was recorded: restore the original file");
 }
 
 Result<BodyId> add_scene_body(const SceneBody& description, Body body, World& world) {

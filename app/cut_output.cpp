@@ -380,8 +380,8 @@ Status write_provenance(const std::vector<Part>& parts, const PiecesFolder& fold
   return provenance.write(folder.provenance);
 }
 
-// Writes several pieces at a time. Appends those of which a file was written, and notes on lost looks. Fails
-// if files are missing.
+// Writes several pieces at a time. Appends them with the names of the files that were written, and notes on
+// lost looks. Fails if files are missing.
 Status write_pieces(const World& world, const PiecesFolder& folder, const SurfaceFiles& surfaces,
                     const Vec3& origin, std::vector<WrittenPiece>& written, std::vector<std::string>& notes) {
   const std::vector<Part> parts = parts_of(world, folder.split_all);

@@ -41,6 +41,13 @@ std::string without_leading_zeros(std::string text) {
   return text.erase(sign, zeros);
 }
 
+std::filesystem::path resolved(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::path found = std::filesystem::absolute(file, error);
+  if (!error) found = std::filesystem::weakly_canonical(found, error);
+  return error ? file : found;
+}
+
 std::string help_with_limits(const std::string& help, const NumberRange& range) {
   return help + "; " + limits_text(range);
 }

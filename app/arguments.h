@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,6 +38,9 @@ std::string check_number(const std::string& text, const NumberRange& range, bool
 
 // Removes leading zeros of a whole number: CLI11 reads such numbers as octal.
 std::string without_leading_zeros(std::string text);
+
+// Returns the absolute path of a file, which need not exist, without links; the given path if it is invalid.
+std::filesystem::path resolved(const std::filesystem::path& file);
 
 // Returns the help of an option with the limits appended.
 std::string help_with_limits(const std::string& help, const NumberRange& range);

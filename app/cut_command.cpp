@@ -166,13 +166,7 @@ class CutRun {
       if (const Status free = inputs.check("--provenance", options_.provenance); !free) return free;
     }
     if (options_.journal.empty()) return Done{};
-    const auto place = [](const std::string& file) {
-      std::error_code error;
-      std::filesystem::path found = std::filesystem::absolute(file, error);
-      if (!error) found = std::filesystem::weakly_canonical(found, error);
-      return error ? std::filesystem::path(file) : found;
-    };
-    if (!options_.provenance.empty() && place(options_.journal) == place(options_.provenance))
+    if (!options_.provenance.empty() && resolved(options_.journal) == resolved(options_.provenance))
       return bad_input("--journal: " + options_.journal + " is the file of --provenance; use another name");
     if (folder.may_write(options_.journal))
       return bad_input("--journal: " + options_.journal +

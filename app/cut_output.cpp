@@ -14,6 +14,7 @@
 #include <set>
 #include <span>
 
+#include "app/arguments.h"
 #include "app/console.h"
 #include "app/run_description.h"
 #include "core/base/number_format.h"
@@ -436,15 +437,13 @@ Status PiecesFolder::check(const std::string& option, const InputFiles& inputs) 
 }
 
 bool PiecesFolder::holds(const fs::path& file) const {
-  std::error_code error;
-  fs::path folder = fs::weakly_canonical(fs::absolute(path, error), error);
+  fs::path folder = resolved(path);
   if (!folder.has_filename()) folder = folder.parent_path();  // ends with a slash
-  return fs::weakly_canonical(fs::absolute(file, error), error).parent_path() == folder;
+  return resolved(file).parent_path() == folder;
 }
 
 bool PiecesFolder::may_write(const fs::path& file) const {
-  std::error_code error;
-  const std::string name = fs::weakly_canonical(fs::absolute(file, error), error).filename().string();
+  const std::string name = resolved(file).filename().string();
   return holds(file) && (name == kReport || is_piece_name(name));
 }
 

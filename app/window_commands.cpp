@@ -117,12 +117,6 @@ nlohmann::ordered_json match_report(const Match& match, const std::vector<double
           {"state_hash", hash_text(state_hash(match.world()))}};
 }
 
-// Returns the path of a file, which need not exist, without links.
-std::filesystem::path resolved(const std::string& file) {
-  std::error_code error;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
-}
-
 // Returns the outcome of a match in one line.
 std::string match_summary(const Match& match) {
   const Standing& standing = match.standing();

@@ -16,8 +16,8 @@ inline constexpr double kUnitSlack = 1e-9;
 inline constexpr double kOpposite = 1e-9;
 
 // A beam whose motion has a smaller share than this across its axis moves along it. The rest that rounding
-// leaves there, 1e-16 of the motion or the error of a unit direction, has any direction, even that of the axis;
-// at a larger share, the direction of the motion is perpendicular to the axis within 1e-11.
+// leaves there, 1e-16 of the motion or the error of a unit direction, has any direction, even that of the
+// axis; at a larger share, the direction of the motion is perpendicular to the axis within 1e-11.
 inline constexpr double kMinSideways = 0x1p-16;
 
 // Loading ---------------------------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ TEST(Fields, a_key_that_is_twice_in_an_object_is_refused_with_its_line) {
             "a.json: line 3: the key \"a\" is in this object twice");
   EXPECT_EQ(fault("[{\"a\": {\"b\": 1, \"c\": {}, \"b\": 2}}]"),
             "a.json: line 1: the key \"b\" is in this object twice");
-  // Strings may hold brackets, quotes and what looks like keys.
+  // Strings may hold brackets, quotes and text like keys.
   EXPECT_EQ(fault(R"({"a}": "{\\", "b\"": "\"c\": {", "c": ["c", "c"], "": ":"})"), "");
   EXPECT_EQ(fault("5"), "");
   // The text ends at a null character.

@@ -45,8 +45,9 @@ class Cells {
   static constexpr int kMaxCells = 64;  // a side
 
   // Covers all places by cells of at least this width. Precondition: there is a place, and width > 0.
-  Cells(const GraphLayout& places, double width) : low_(places[0]) {
+  Cells(const GraphLayout& places, double width) {
     KERF_ASSERT(!places.empty() && width > 0);
+    low_ = places[0];
     Vec2 high = places[0];
     for (const Vec2& p : places) {
       low_ = glm::min(low_, p);
@@ -75,7 +76,7 @@ class Cells {
   }
   static size_t at(int x, int y) { return static_cast<size_t>(y) * kMaxCells + static_cast<size_t>(x); }
 
-  Vec2 low_;
+  Vec2 low_{0};
   double width_ = 1;
   std::vector<std::vector<uint32_t>> in_;
 };

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/assert.h"
 #include "core/base/tolerances.h"
@@ -167,13 +168,16 @@ bool SweptCylinder::contains(const Triangle& t) const {
 
 // Returns the minimum over the motion of measure(distance from the axis minus the radius, depth beyond the
 // ends of the range). Both arguments are convex functions of time, so that ternary search finds the minimum;
-// it is skipped if the ends of the range do not move, or are never nearer than the lateral surface.
+// it is skipped if the ends of the range do not move, or never affect the measure.
 template <typename Measure>
 double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Interval depth = depth_contained();
   const double lateral = std::sqrt(distance2_to_segment(seen.start, seen.end)) - radius_;
   const double beyond = std::max(seen.depth - depth.high, depth.low - seen.depth);
-  if (shift_ == 0 || beyond <= std::min(0.0, lateral)) return measure(lateral, beyond);
+  // Bounds of the minimum: with the deepest ends of all moments, and without ends.
+  const double upper = measure(lateral, beyond), lower = measure(lateral, -kInfinity);
+  if (shift_ == 0 || (beyond <= 0 && upper == lower)) return upper;
   const auto at = [&](double s) {
     const Vec2 offset = seen.start + s * (seen.end - seen.start);
     const double d = seen.depth - s * shift_;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/edit/separation.h"
+
 namespace kerf::test {
 
 namespace {
@@ -34,6 +38,27 @@ void expect_piece_sums(const Body& body) {
     ASSERT_NEAR(sums[p].area, body.pieces[p].area, kTolerance * area);
     expect_near(sums[p].moments, body.pieces[p].moments, area, reach);
   }
+}
+
+size_t expect_part_counts(const Body& body) {
+  std::vector<uint32_t> part;
+  std::vector<FaceCounts> counts(label_components(body.mesh, part));
+  for (uint32_t f = 0; f < part.size(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    ++counts[part[f]].faces;
+    counts[part[f]].area += triangle_area(body.mesh.triangle(FaceId(f)));
+  }
+  for (uint32_t f = 0; f < part.size(); ++f) {
+    if (!body.mesh.is_live(FaceId(f))) continue;
+    const FaceCounts &kept = body.whole_of(FaceId(f)), &expected = counts[part[f]];
+    const bool are_equal =
+        kept.faces == expected.faces && std::abs(kept.area - expected.area) <= kTolerance * body.loaded.area;
+    EXPECT_TRUE(are_equal) << "face " << f << " is in a part of " << expected.faces << " faces, not "
+                           << kept.faces;
+    if (!are_equal) break;
+  }
+  expect_piece_sums(body);
+  return counts.size();
 }
 
 }  // namespace kerf::test

@@ -9,4 +9,7 @@ namespace kerf::test {
 // 1e-9 of that area times the first or second power of half the diagonal of the mesh as loaded.
 void expect_piece_sums(const Body& body);
 
+// Likewise, also for the faces and areas of the connected parts. Returns the number of parts.
+size_t expect_part_counts(const Body& body);
+
 }  // namespace kerf::test

@@ -341,16 +341,16 @@ TEST(SmoothRim, fails_if_it_would_create_too_many_faces) {
   World world = world_of(plate(1));
   ASSERT_TRUE(cut_whole(world, settings, subdivide(stroke, settings.laser.radius, 2)).ok());
   settings.faces_per_step = 1;
-  size_t most = 0;
+  size_t max_faces = 0;
   World closed = world;
   UnfinishedRim unfinished;
   do {
     ASSERT_TRUE(rim_step(closed, settings, {&stroke, 1}, {}, unfinished).ok());
-    most = std::max<size_t>(most, only_body(closed).mesh.live_faces());
+    max_faces = std::max<size_t>(max_faces, only_body(closed).mesh.live_faces());
   } while (unfinished.begun());
   for (const size_t fewer : {size_t{0}, size_t{1}}) {
     World limited = world;
-    settings.max_faces = most - fewer;
+    settings.max_faces = max_faces - fewer;
     EXPECT_EQ(close_rim(limited, settings, {&stroke, 1}).ok(), fewer == 0);
     EXPECT_EQ(find_fault(only_body(limited).mesh), "");
   }

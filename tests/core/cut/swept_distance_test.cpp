@@ -11,8 +11,8 @@
 namespace kerf {
 namespace {
 
-// A stroke by hand: the beam goes on by little, from an apex or beside itself, and by up to `along` along
-// itself.
+// A stroke by hand in small moves: the beam turns about an apex or shifts sideways, and advances or retreats
+// by up to `along` metres along itself.
 std::vector<BeamMove> wandering_moves(Random& random, bool from_apex, double along = 0) {
   const auto any = [&](double most) { return random.uniform(-most, most); };
   std::vector<BeamMove> moves;

@@ -123,14 +123,14 @@ TEST(BodyEdit, updates_halvings_and_volume_when_a_vertex_moves) {
   before.star(corner, star);
   BodyEdit edit(body);
   edit.move_vertex(corner, {0.7, 0.1, 0.8}, star);
-  int64_t most = 0;
+  int64_t largest = 0;
   for (const FaceId f : star.faces) {
     const double ratio = triangle_area(before.triangle(f)) / triangle_area(body.mesh.triangle(f));
     const int64_t halvings = std::max<int64_t>(0, std::llround(std::log2(ratio)));
     EXPECT_EQ(body.mesh.data(f).halvings, halvings);
-    most = std::max(most, halvings);
+    largest = std::max(largest, halvings);
   }
-  EXPECT_GT(most, 0);
+  EXPECT_GT(largest, 0);
   const double lost =
       enclosed_volume(before, body.middle()).volume - enclosed_volume(body.mesh, body.middle()).volume;
   EXPECT_GT(lost, 0.1);
@@ -191,13 +191,13 @@ bool flip_between_pieces(Body& body) {
 }
 
 TEST(BodyEdit, keeps_moments_of_pieces_when_an_edge_flips_while_faces_are_relabelled) {
-  for (const size_t most : {7u, 20u, 33u}) {
-    SCOPED_TRACE(most);
+  for (const size_t faces : {7u, 20u, 33u}) {
+    SCOPED_TRACE(faces);
     Body body = make_body("grid", build(grid(12, 1)));
     BodyEdit(body).remove(column_of_grid(body.mesh, 8));
     bool has_flipped = false;
     do {
-      settle(body, most);
+      settle(body, faces);
       if (!is_settled(body) && !has_flipped) has_flipped = flip_between_pieces(body);
     } while (!is_settled(body));
     EXPECT_TRUE(has_flipped);

@@ -330,7 +330,7 @@ TEST(Separation, does_not_connect_across_a_vertex) {
   EXPECT_EQ(label_components(build(soup).mesh, label), 2u);
 }
 
-// Most faces lie on one side of the cut, but most of the area on the other.
+// One side of the cut has the majority of the faces, the other that of the area.
 TEST(Separation, keeps_the_label_on_the_largest_part_if_it_has_fewer_faces) {
   constexpr int kCells = 120, kColumn = 40;
   Soup soup = grid(kCells, 2);

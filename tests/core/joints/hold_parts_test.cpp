@@ -206,19 +206,6 @@ TEST(SeparateByJoints, cutting_the_faces_of_a_weld_releases_it) {
   EXPECT_EQ(world.body(world.ids()[0]).pieces[handle].faces, 8u);
 }
 
-// Every face is counted with the connected part that a full search finds it in.
-void expect_counts_of_parts(const Body& body) {
-  test::expect_piece_sums(body);
-  std::vector<uint32_t> component;
-  std::vector<size_t> faces(label_components(body.mesh, component));
-  for (const uint32_t c : component) {
-    if (c < faces.size()) ++faces[c];
-  }
-  for (uint32_t f = 0; f < component.size(); ++f) {
-    if (body.mesh.is_live(FaceId(f))) ASSERT_EQ(body.whole_of(FaceId(f)).faces, faces[component[f]]);
-  }
-}
-
 // Cuts straight down at x from z = -0.1 to 0.1, between these heights.
 void cut_between(World& world, double x, double high, double low, double radius) {
   CutSettings settings;
@@ -249,11 +236,11 @@ TEST(SeparateByJoints, the_rest_of_a_part_stays_separate_from_pieces_cut_off_it)
   cut_between(world, -0.15, 0.01, -0.01, 0.05);  // the sheet where it carries the bar
   EXPECT_EQ(held_joints(world).size(), 2u);
   const Body& body = world.body(world.ids()[0]);
-  ASSERT_NO_FATAL_FAILURE(expect_counts_of_parts(body));
+  ASSERT_NO_FATAL_FAILURE(test::expect_part_counts(body));
   EXPECT_EQ(world.live_pieces(), 3u);
   EXPECT_NE(label_of(world, "rail"), 0u);
   cut_between(world, -0.3, 0.05, 0.03, 0.05);  // the rail where it holds what is left of the bar
-  ASSERT_NO_FATAL_FAILURE(expect_counts_of_parts(body));
+  ASSERT_NO_FATAL_FAILURE(test::expect_part_counts(body));
   EXPECT_EQ(world.live_pieces(), 3u);
 }
 

@@ -342,9 +342,9 @@ TEST(SheetSides, have_no_face_across_on_their_sheet) {
     for (uint32_t slot = 0; slot < mesh.face_slots(); ++slot) {
       const FaceId f(slot);
       std::vector<SheetSide> own;
-      std::vector<FaceId> beside, expected;
+      std::vector<FaceId> neighbours, expected;
       append_sheet_sides_of(mesh, f, own);
-      append_sheet_neighbours(mesh, f, beside);
+      append_sheet_neighbours(mesh, f, neighbours);
       size_t i = 0;
       for (const SheetEdge& edge : sheet_edges_of(mesh, f)) {
         if (edge.across.valid()) {
@@ -357,7 +357,7 @@ TEST(SheetSides, have_no_face_across_on_their_sheet) {
         ++i;
       }
       EXPECT_EQ(i, own.size());
-      EXPECT_EQ(beside, expected);
+      EXPECT_EQ(neighbours, expected);
       sides += i;
     }
     std::vector<SheetSide> all;

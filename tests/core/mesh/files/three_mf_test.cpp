@@ -264,7 +264,7 @@ std::string deflated(const std::string& content) {
   return packed;
 }
 
-// An archive of one stored file, whose numbers follow in the second of its extra fields.
+// An archive of one stored file, whose sizes and offset are in the second extra field of its record (ZIP64).
 TEST(ThreeMf, entries_of_long_archives_are_found) {
   std::string bytes, directory, extra;
   append_little(uint32_t{0x04034b50}, bytes);

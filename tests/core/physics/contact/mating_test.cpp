@@ -153,7 +153,7 @@ TEST(Mating, ends_when_a_body_becomes_a_sheet) {
   EXPECT_TRUE(physics.colliders().at(box).wall_corners.empty());
 }
 
-// Two sheets that stand for walls on each other.
+// Two sheets with the corners of walls that face each other.
 TEST(Mating, of_seated_walls_forgets_points) {
   test::MovingSheets sheets;
   for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), Vec3(0));

@@ -39,7 +39,7 @@ TEST(RigidFrame, placement_round_trips) {
             1e-12);
 }
 
-// A plate that is left of a body of many kilometres.
+// A plate that remains of a body of kilometres.
 TEST(RigidFrame, of_a_tiny_remnant_has_the_inertia_of_its_bounds) {
   for (const double far : {1e3, 1e4, 1e5}) {
     SCOPED_TRACE(far);

@@ -65,8 +65,9 @@ TEST(ExtremePoints, are_those_along_axes_and_diagonals) {
     const Vec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     const double length2 = glm::dot(way, way);
     if (length2 != 1 && length2 != 3) continue;
-    const auto most = std::ranges::max_element(points, {}, [&](const Vec3& p) { return glm::dot(p, way); });
-    expected.insert(static_cast<uint32_t>(most - points.begin()));
+    const auto farthest =
+        std::ranges::max_element(points, {}, [&](const Vec3& p) { return glm::dot(p, way); });
+    expected.insert(static_cast<uint32_t>(farthest - points.begin()));
   }
   Indices selected;
   select_extreme(points, selected);

@@ -2,6 +2,7 @@
 
 #include <LinearMath/btMatrix3x3.h>
 
+#include "core/base/assert.h"
 #include "core/world/body_mass.h"
 
 namespace kerf {
@@ -20,6 +21,7 @@ struct Sums {
 Sums sums_of(const Body& body) {
   Sums sums;
   for (uint32_t p = 0; p < body.pieces.size(); ++p) {
+    if (body.pieces[p].faces == 0) continue;  // rounding may have left it an area
     if (const EnclosedPiece* enclosed = enclosed_piece(body, p)) {
       MassProperties solid = enclosed->solid;
       solid.mass *= body.sheet.density;

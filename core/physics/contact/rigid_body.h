@@ -29,7 +29,7 @@ struct RigidFrame {
 // Returns the rigid frame of all pieces of a body together. Closed pieces of a solid body count as solids, as
 // of the last mass computation; all other pieces are sheets. Principal moments of inertia are raised to at
 // least a small fraction of the largest one, to bound the spin of a needle. A remnant so small relative to
-// the loaded body that rounding hides its inertia counts as a cuboid. O(pieces).
+// the loaded body that rounding hides its inertia counts as a cuboid. The mass is 0 without faces. O(pieces).
 RigidFrame rigid_frame(const Body& body);
 
 // A rigid motion x -> turn * x + shift.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/edit/body_edit.h"
 #include "core/world/body_mass.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/sheets.h"
@@ -37,6 +38,13 @@ TEST(RigidFrame, placement_round_trips) {
   EXPECT_LT(glm::length(back.position - body.placement.position), 1e-13);
   EXPECT_LT(glm::length(frame.in_world(body.placement).position - body.placement.to_world({3, -2, 8})),
             1e-12);
+}
+
+TEST(RigidFrame, of_a_body_without_faces_has_no_mass) {
+  Body body = make_body("plate", test::build(test::rectangle(1, 1, 3)));
+  BodyEdit(body).remove(body.faces_of(0));
+  body.pieces.edit(0).area = 1e-16;  // as rounding may leave it
+  EXPECT_EQ(rigid_frame(body).mass, 0);
 }
 
 // A plate that remains of a body of kilometres.

@@ -29,7 +29,8 @@ try_one() { cut_one "$1" "$2" || { echo "$1" >>"$2/failed.txt"; false; }; }
 export -f cut_one try_one
 export kerf
 
-find -L "$meshes" -maxdepth 1 -type f -regextype posix-extended -iregex '.*\.(obj|ply|stl|off|glb|gltf|3mf)' -print0 |
+# In other locales, a dot matches no name that is not UTF-8.
+LC_ALL=C find -L "$meshes" -maxdepth 1 -type f -regextype posix-extended -iregex '.*\.(obj|ply|stl|off|glb|gltf|3mf)' -print0 |
   xargs -0 -r -P "$(nproc)" -I {} bash -c 'try_one "$@"' _ {} "$out"
 failed=$?
 

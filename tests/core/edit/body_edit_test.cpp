@@ -141,6 +141,7 @@ TEST(BodyEdit, updates_halvings_and_volume_when_a_vertex_moves) {
 std::vector<FaceId> column_of_grid(const Mesh& mesh, int column) {
   std::vector<FaceId> faces;
   for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
     const Triangle t = mesh.triangle(FaceId(f));
     const double middle = (t[0].x + t[1].x + t[2].x) / 3;
     if (std::floor((middle + 0.5) * 12) == column) faces.emplace_back(f);

@@ -36,6 +36,32 @@ VertexColour colour_at(const Vec3& p, const Mesh& mesh, FaceId f) {
   return mix({of.get(v[0]), of.get(v[1]), of.get(v[2])}, corner_weights(nearest_point(p, t), t));
 }
 
+// Sets the colours of the positions at which the mesh has a vertex. Returns which positions these are.
+std::vector<bool> copy_vertex_colours(const Remeshed& remeshed, const Mesh& mesh,
+                                      std::vector<VertexColour>& colours) {
+  std::vector<Vec3> positions = remeshed.positions;
+  std::vector<VertexId> vertices;
+  std::vector<bool> listed(mesh.vertex_slots());
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    for (const VertexId v : mesh.corners(FaceId(f))) {
+      if (listed[v.index]) continue;
+      listed[v.index] = true;
+      vertices.push_back(v);
+      positions.push_back(mesh.position(v));
+    }
+  }
+  const std::vector<uint32_t> first = weld_positions(positions);
+  std::vector<bool> known(colours.size());
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const uint32_t p = first[colours.size() + i];
+    if (p >= colours.size() || known[p]) continue;
+    known[p] = true;
+    colours[p] = mesh.colours().get(vertices[i]);
+  }
+  return known;
+}
+
 // Copies the faces over welded positions; drops degenerate ones, which a cut may leave.
 Remeshed copy_faces(const Mesh& mesh) {
   std::vector<Vec3> positions(mesh.vertex_slots(), Vec3(0));
@@ -140,7 +166,7 @@ std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh)
   if (mesh.colours().blank()) return colours;
   KERF_ASSERT(remeshed.origins.size() == remeshed.triangles.size());
   colours.resize(remeshed.positions.size());
-  std::vector<bool> known(colours.size(), false);
+  std::vector<bool> known = copy_vertex_colours(remeshed, mesh, colours);
   for (size_t t = 0; t < remeshed.triangles.size(); ++t) {
     for (const uint32_t p : remeshed.triangles[t]) {
       if (known[p]) continue;

@@ -51,8 +51,9 @@ struct Remeshed {
 // `remeshed` was computed from `mesh`.
 std::vector<uint16_t> materials_of(const Remeshed& remeshed, const Mesh& mesh);
 
-// Returns the colours of the positions: that of the nearest surface point on the face from which a triangle
-// at the position derives. Empty if the mesh has none. Same precondition.
+// Returns the colours of the positions: that of the vertex of the mesh at the position, otherwise that of the
+// nearest point on the face from which a triangle at the position derives. Empty if the mesh has none. Same
+// precondition. Expected linear time.
 std::vector<VertexColour> colours_of(const Remeshed& remeshed, const Mesh& mesh);
 
 // Builds the mesh of the triangles with build_mesh; face slots have the order of the triangles. Leaves names

@@ -90,7 +90,7 @@ class Builder {
     auto patches = find_patches(triangles_, edges_, &finding);
     if (!patches) return patches.error();
     report_.components = count_components(*patches, edges_);
-    join_patches_of_shells(*patches);
+    join_patches_of_shells(soup_.positions, triangles_, edges_, *patches);
     const std::vector<bool> inward = inward_triangles(soup_.positions, triangles_, *patches);
     turn(inward);
     record_overlaps(overlapping_patches(soup_.positions, triangles_, *patches).size());
@@ -101,20 +101,6 @@ class Builder {
       report_.repairs.reoriented_faces += turned_[t];
     }
     return Done{};
-  }
-
-  // Marks shells that touch others as closed, too.
-  void join_patches_of_shells(Patches& patches) const {
-    std::vector<uint32_t> several;
-    for (uint32_t e = 0; e < edges_.count(); ++e) {
-      if (edges_.sides_of(e).size() > 2) several.push_back(e);
-    }
-    if (several.empty()) return;
-    std::vector<uint32_t> partner(3 * triangles_.size(), kNoSide);
-    for (uint32_t e = 0; e < edges_.count(); ++e) pair_sides_of(e, partner);
-    const std::vector<uint32_t> pairs =
-        pair_sides_of_shells(soup_.positions, triangles_, edges_, several, patches.patch_of, partner);
-    join_patches(patches, partner, pairs);
   }
 
   void record_overlaps(size_t shells) {
@@ -154,21 +140,6 @@ class Builder {
   uint32_t tail(uint32_t side) const { return triangles_[side / 3][side % 3]; }
   static uint32_t previous_side(uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  // Returns true if two triangles on one edge share the third corner, too. They are linked as rings, so that
-  // the edges that splits create inside them are linked as well.
-  bool are_copies(uint32_t side, uint32_t other) const {
-    return tail(previous_side(side)) == tail(previous_side(other));
-  }
-
-  // Pairs the sides of an edge of two triangles. Returns false if the edge is none.
-  bool pair_sides_of(uint32_t edge, std::vector<uint32_t>& partner) const {
-    const auto sides = edges_.sides_of(edge);
-    if (sides.size() != 2 || tail(sides[0]) == tail(sides[1]) || are_copies(sides[0], sides[1])) return false;
-    partner[sides[0]] = sides[1];
-    partner[sides[1]] = sides[0];
-    return true;
-  }
-
   // Sets partner_[side] to the opposite side of its edge, or to kNoSide at boundaries and in rings.
   Status find_partners(const Progress& progress) {
     struct Found {
@@ -183,7 +154,7 @@ class Builder {
         const auto sides = edges_.sides_of(e);
         here.boundary += sides.size() == 1;
         if (sides.size() > 2) here.non_manifold.push_back(e);
-        if (!pair_sides_of(e, partner_) && sides.size() > 1) here.rings.push_back(e);
+        if (!pair_two_sides(triangles_, sides, partner_) && sides.size() > 1) here.rings.push_back(e);
       }
     };
     if (!for_each_range(edges_.count(), kItems, &progress, pair)) return cancelled();

@@ -185,18 +185,7 @@ class ShellPairing {
   std::vector<uint32_t> paired_;  // one side of each pair
 };
 
-}  // namespace
-
-std::vector<uint32_t> pair_sides_of_shells(std::span<const Vec3> positions,
-                                           std::span<const std::array<uint32_t, 3>> triangles,
-                                           const SoupEdges& edges, std::span<const uint32_t> several,
-                                           std::span<const uint32_t> patch_of,
-                                           std::vector<uint32_t>& partner) {
-  if (several.empty()) return {};
-  KERF_ASSERT(partner.size() == 3 * triangles.size() && patch_of.size() == triangles.size());
-  return ShellPairing(positions, triangles, edges, patch_of, partner).run(several);
-}
-
+// Merges the patches of each shell into a closed one. `pairs`: from pair_sides_of_shells().
 void join_patches(Patches& patches, std::span<const uint32_t> partner, std::span<const uint32_t> pairs) {
   if (pairs.empty()) return;
   KERF_ASSERT(partner.size() == 3 * patches.patch_of.size());
@@ -226,6 +215,46 @@ void join_patches(Patches& patches, std::span<const uint32_t> partner, std::span
   for (size_t p = 0; p < patches.closed.size(); ++p) patches.first[p + 1] += patches.first[p];
   std::vector<uint32_t> next(patches.first.begin(), patches.first.end() - 1);
   for (uint32_t t = 0; t < patches.patch_of.size(); ++t) patches.triangles[next[patches.patch_of[t]]++] = t;
+}
+
+}  // namespace
+
+bool pair_two_sides(std::span<const std::array<uint32_t, 3>> triangles, std::span<const uint32_t> sides,
+                    std::vector<uint32_t>& partner) {
+  const auto corner = [&](uint32_t side, uint32_t after) {
+    return triangles[side / 3][(side % 3 + after) % 3];
+  };
+  if (sides.size() != 2 || corner(sides[0], 0) == corner(sides[1], 0) ||
+      corner(sides[0], 2) == corner(sides[1], 2))
+    return false;
+  partner[sides[0]] = sides[1];
+  partner[sides[1]] = sides[0];
+  return true;
+}
+
+std::vector<uint32_t> pair_sides_of_shells(std::span<const Vec3> positions,
+                                           std::span<const std::array<uint32_t, 3>> triangles,
+                                           const SoupEdges& edges, std::span<const uint32_t> several,
+                                           std::span<const uint32_t> patch_of,
+                                           std::vector<uint32_t>& partner) {
+  if (several.empty()) return {};
+  KERF_ASSERT(partner.size() == 3 * triangles.size() && patch_of.size() == triangles.size());
+  return ShellPairing(positions, triangles, edges, patch_of, partner).run(several);
+}
+
+void join_patches_of_shells(std::span<const Vec3> positions,
+                            std::span<const std::array<uint32_t, 3>> triangles, const SoupEdges& edges,
+                            Patches& patches) {
+  std::vector<uint32_t> several;
+  for (uint32_t e = 0; e < edges.count(); ++e) {
+    if (edges.sides_of(e).size() > 2) several.push_back(e);
+  }
+  if (several.empty()) return;
+  std::vector<uint32_t> partner(3 * triangles.size(), kNoSide);
+  for (uint32_t e = 0; e < edges.count(); ++e) pair_two_sides(triangles, edges.sides_of(e), partner);
+  const std::vector<uint32_t> pairs =
+      pair_sides_of_shells(positions, triangles, edges, several, patches.patch_of, partner);
+  join_patches(patches, partner, pairs);
 }
 
 }  // namespace kerf

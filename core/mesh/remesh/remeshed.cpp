@@ -6,6 +6,7 @@
 #include "core/base/assert.h"
 #include "core/mesh/measures.h"
 #include "core/mesh/orientation.h"
+#include "core/mesh/pair_sides.h"
 #include "core/mesh/remesh/collapser_internal.h"
 #include "core/mesh/weld.h"
 
@@ -190,8 +191,9 @@ Result<BuiltMesh> build_remeshed(const Remeshed& remeshed, const Mesh& mesh, con
 Result<Remeshed> turn_shells(const Mesh& mesh, const Progress* progress) {
   Remeshed turned = copy_faces(mesh);
   const SoupEdges edges = group_sides(turned.triangles, turned.positions.size());
-  const auto patches = find_patches(turned.triangles, edges, progress);
+  auto patches = find_patches(turned.triangles, edges, progress);
   if (!patches) return patches.error();
+  join_patches_of_shells(turned.positions, turned.triangles, edges, *patches);
   for (const uint32_t p : overlapping_patches(turned.positions, turned.triangles, *patches)) {
     for (const uint32_t t : patches->triangles_of(p))
       std::swap(turned.triangles[t][0], turned.triangles[t][1]);

@@ -86,6 +86,25 @@ TEST(PrepareCommands, reorient_overlapping_shells_only) {
   expect_same_world(document.world(), after);
 }
 
+TEST(PrepareCommands, reorient_overlapping_shells_that_share_a_face) {
+  const Soup block = brick({1, 1, 1}), wall = brick({4, 4, 4});
+  const Soup soup = both(wall, both(moved(block, {1, 1.25, 1}, 1), moved(block, {1, 1.25, 2}, 1)));
+  ASSERT_EQ(build(soup).report.warnings.size(), 1u) << "both blocks overlap with the outer part";
+  Document document(world_of(soup));
+  const auto enclosed = [&] {
+    const World& world = document.world();
+    return enclosed_volume(world.body(world.ids()[0]).mesh, {2, 2, 2});
+  };
+  EXPECT_NEAR(enclosed().volume, 66, 1e-9);
+  ASSERT_TRUE(document.apply(TurnShells{only_piece(document.world())}).ok());
+  EXPECT_TRUE(enclosed().closed);
+  EXPECT_NEAR(enclosed().volume, 62, 1e-9);
+  expect_sound(document.world());
+  const Outcome again = document.apply(TurnShells{only_piece(document.world())});
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(again.delta.empty());
+}
+
 TEST(PrepareCommands, undo_and_redo_exactly) {
   const World before = world_of(in_two_materials(torus(30, 20, 1, 0.3)));
   for (const Command& command : preparations(only_piece(before), 1200)) {

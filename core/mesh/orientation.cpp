@@ -55,7 +55,7 @@ class Grid {
   // Returns the column (axis 0) or row (axis 1) of the cell nearest to a point.
   uint32_t place(const Vec2& p, int axis) const {
     const double extent = high_[axis] - low_[axis];
-    if (!(extent > 0)) return 0;
+    if (!(extent > 0 && std::isfinite(extent))) return 0;
     const double at = (p[axis] - low_[axis]) / extent * side_;
     return static_cast<uint32_t>(std::clamp(at, 0.0, side_ - 1.0));
   }

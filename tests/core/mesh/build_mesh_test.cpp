@@ -108,6 +108,13 @@ TEST(BuildMesh, reports_an_error_if_no_face_remains) {
   EXPECT_NE(built.error().message.find("no face"), std::string::npos);
 }
 
+TEST(BuildMesh, rejects_closed_parts_whose_distance_overflows) {
+  const Soup part = brick(Vec3(1e300));
+  const auto built = build_mesh(both(moved(part, Vec3(-1.5e308), 1), moved(part, Vec3(1.5e308), 1)));
+  ASSERT_FALSE(built.ok());
+  EXPECT_NE(built.error().message.find("wider than"), std::string::npos);
+}
+
 TEST(BuildMesh, ignores_the_sign_of_zero) {
   Soup soup = grid(2, 1);
   for (Vec3& p : soup.positions) p.y = -0.0;

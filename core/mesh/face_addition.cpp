@@ -311,13 +311,14 @@ bool FaceAddition::is_one_fan(const Mesh::Kernel& kernel, uint32_t v) const {
 
 void FaceAddition::part_fans_at(Mesh::Kernel& kernel, uint32_t v, std::vector<FaceId>& changed) const {
   HalfEdges& m = kernel.half_edges;
-  std::vector<HalfEdgeId> left;  // in no fan yet
-  for_each_at(v, [&](HalfEdgeId h) { left.push_back(h); });
-  std::sort(left.begin(), left.end());
+  std::vector<HalfEdgeId> all;
+  for_each_at(v, [&](HalfEdgeId h) { all.push_back(h); });
+  std::sort(all.begin(), all.end());
+  std::vector<bool> taken(all.size());  // already in a fan
   const auto take = [&](HalfEdgeId h) {
-    const auto at = std::lower_bound(left.begin(), left.end(), h);
-    if (at == left.end() || *at != h) return false;
-    left.erase(at);
+    const auto at = std::lower_bound(all.begin(), all.end(), h);
+    if (at == all.end() || *at != h || taken[static_cast<size_t>(at - all.begin())]) return false;
+    taken[static_cast<size_t>(at - all.begin())] = true;
     return true;
   };
   bool first = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <limits>
 
 #include "core/base/assert.h"
@@ -198,6 +199,26 @@ Triangle triangle_of(const Extract& e, const std::array<uint32_t, 3>& t) {
   return {e.positions[t[0]], e.positions[t[1]], e.positions[t[2]]};
 }
 
+bool has_equal_corners(const std::array<uint32_t, 3>& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+// Measures the boundary and the volume. Triangles with equal corners bound nothing: two of their sides are
+// one edge in both directions.
+void measure_closure(Extract& out) {
+  std::span<const std::array<uint32_t, 3>> triangles = out.triangles;
+  std::vector<std::array<uint32_t, 3>> proper;
+  if (std::ranges::any_of(triangles, has_equal_corners)) {
+    std::ranges::remove_copy_if(triangles, std::back_inserter(proper), has_equal_corners);
+    triangles = proper;
+  }
+  const SoupEdges edges = group_sides(triangles, out.positions.size());
+  for (uint32_t e = 0; e < edges.count(); ++e) out.boundary_edges += edges.sides_of(e).size() == 1;
+  if (out.boundary_edges > 0) return;
+  const EnclosedVolume enclosed = enclosed_volume(out.positions, triangles, edges, out.centroid);
+  if (enclosed.closed) out.volume = enclosed.volume;
+}
+
 void measure(Extract& out) {
   KERF_ASSERT(!out.triangles.empty() && !out.positions.empty());
   double weight = 0;
@@ -213,11 +234,7 @@ void measure(Extract& out) {
     weight += area;
   }
   out.centroid = out.positions[0] + (weight > 0 ? sum / weight : Vec3(0));
-  const SoupEdges edges = group_sides(out.triangles, out.positions.size());
-  for (uint32_t e = 0; e < edges.count(); ++e) out.boundary_edges += edges.sides_of(e).size() == 1;
-  if (out.boundary_edges > 0) return;
-  const EnclosedVolume enclosed = enclosed_volume(out.positions, out.triangles, edges, out.centroid);
-  if (enclosed.closed) out.volume = enclosed.volume;
+  measure_closure(out);
 }
 
 MassProperties solid_of(const Extract& e, double density) {

@@ -55,8 +55,9 @@ Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generati
                            const Progress* progress);
 
 // A copy of faces of a body as plain arrays in world coordinates, exact to the bit if the body has not moved.
-// Vertices at one position of the body are merged, but not those that coincide only by rounding in the world,
-// so the corners of a triangle are three numbers. Vertices and faces keep the order of their slots.
+// Vertices at one position of the body are merged, but not those that coincide only by rounding in the world.
+// So the corners of a triangle are three numbers, unless a split at a midpoint that rounds to an end of the
+// edge has left it without one side. Vertices and faces keep the order of their slots.
 struct Extract {
   std::vector<Vec3> positions;
   std::vector<std::array<uint32_t, 3>> triangles;

@@ -45,7 +45,8 @@ class OneToFour {
 
   // Splits the element of f into four, and its neighbours where the mesh must stay conforming. Appends the
   // replacement of every changed element: one face or a green pair is replaced by a green pair or four red
-  // faces. Precondition: f is live and can_split(). Linear in the changed elements.
+  // faces. Precondition: f is live and can_split(). A neighbour may be split although it cannot be split by
+  // itself; some of its faces then have two corners at one position. Linear in the changed elements.
   void split(Mesh& mesh, FaceId f, std::vector<Replacement>& out);
 
   // Turns the green pair of a face into two ordinary faces. Must be called before the face is removed or

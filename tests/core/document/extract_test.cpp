@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/document/document.h"
@@ -49,6 +50,26 @@ TEST(Extract, of_a_body_very_far_from_the_origin_has_three_corners_per_face) {
   ASSERT_EQ(e.triangles.size(), faces.size());
   for (const auto& [a, b, c] : e.triangles) EXPECT_TRUE(a != b && b != c && c != a);
   EXPECT_EQ(e.boundary_edges, 0u);
+}
+
+// The midpoint of an edge between adjacent numbers rounds to one of its ends.
+TEST(Extract, is_closed_in_spite_of_faces_with_equal_corners) {
+  Soup soup = plate(1);
+  soup.positions = {{1, 0, 0}, {std::nextafter(1.0, 2.0), 0, 0}, {1, 1, 0}, {1, 0, 1}};
+  soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  soup.faces_in_file = soup.triangles_in_file = 4;
+  World world = world_of(soup);
+  Body& body = world.body(world.ids().front());
+  std::vector<Mesh::FaceSplit> splits;
+  body.mesh.split_edge(FaceId(1), VertexId(0), VertexId(1), splits);
+  ASSERT_EQ(splits.size(), 2u);
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) faces.emplace_back(f);
+  const Extract e = extract_faces(body, faces);
+  EXPECT_EQ(e.triangles.size(), 6u);
+  EXPECT_EQ(e.positions.size(), 4u);
+  EXPECT_EQ(e.boundary_edges, 0u);
+  EXPECT_TRUE(e.volume.has_value());
 }
 
 TEST(Extract, keeps_the_materials_of_faces) {

@@ -158,6 +158,7 @@ void FaceAddition::append(uint32_t v, HalfEdgeId h) {
   Chain& chain = chains_[v];
   (chain.first == kNone ? chain.first : entries_[chain.last].next) = entry;
   chain.last = entry;
+  ++chain.count;
 }
 
 // Lists the half-edges at a vertex before a face is added there; later they may be unreachable from the mesh.
@@ -167,12 +168,16 @@ void FaceAddition::record_half_edges(const Mesh::Kernel& kernel, uint32_t v) {
   kernel.half_edges.for_each_outgoing(vertices_[v], [&](HalfEdgeId h) { append(v, h); });
 }
 
-// Returns an existing open half-edge, or one of a new edge.
+// Returns an existing open half-edge, or one of a new edge. Searches at the end with fewer half-edges,
+// because the other one may be the hub of many faces.
 HalfEdgeId FaceAddition::side(Mesh::Kernel& kernel, uint32_t from, uint32_t to) {
   HalfEdges& m = kernel.half_edges;
+  const bool from_start = chains_[from].count <= chains_[to].count;
+  const VertexId other = vertices_[from_start ? to : from];
   HalfEdgeId found;
-  for_each_at(from, [&](HalfEdgeId h) {
-    if (!found.valid() && m.to(h) == vertices_[to] && !m.face(h).valid()) found = h;
+  for_each_at(from_start ? from : to, [&](HalfEdgeId h) {
+    const HalfEdgeId along = from_start ? h : opposite(h);
+    if (!found.valid() && m.to(h) == other && !m.face(along).valid()) found = along;
   });
   if (found.valid()) return found;
   const HalfEdgeId made = m.add_edge(vertices_[from], vertices_[to]);

@@ -425,6 +425,7 @@ class FaceAddition {
   // The half-edges that start at a vertex: a chain of entries.
   struct Chain {
     uint32_t first = kNone, last = kNone;
+    uint32_t count = 0;  // entries
   };
   struct Entry {
     HalfEdgeId half_edge;

@@ -343,7 +343,7 @@ class Mesh {
   VertexId add_vertex(const Vec3& position);
   // Adds faces with these corners, counter-clockwise, and returns their slots. Each face becomes its own base
   // face; the rest of its data is that given. Two new faces with a common side share one edge, and a side
-  // along a boundary closes the boundary; columns and colours of new items are zero. A vertex whose faces are
+  // along a boundary closes the boundary; columns of new faces are zero. A vertex whose faces are
   // no longer connected over edges is replaced by several at its position. Precondition: the mesh stays
   // orientable, i.e. no side occurs twice in one direction, or along a live face that already has it. New
   // edges are in no ring, even if they coincide with edges of other sheets. O(n log n) in the new faces and

@@ -11,6 +11,7 @@
 
 #include "core/mesh/files/bytes.h"
 #include "core/mesh/files/encode.h"
+#include "core/mesh/files/scanner.h"
 #include "core/mesh/files/three_mf_internal.h"
 
 namespace kerf {
@@ -36,6 +37,7 @@ namespace {
 constexpr uint32_t kDirectoryEnd = 0x06054b50, kDirectoryEnd64 = 0x06064b50, kLocator64 = 0x07064b50;
 constexpr uint32_t kRecord = 0x02014b50, kLocalHead = 0x04034b50;
 constexpr size_t kEndBytes = 22, kLocatorBytes = 20, kEnd64Bytes = 56, kRecordBytes = 46, kHeadBytes = 30;
+constexpr std::string_view kModelEnding = ".model";
 constexpr size_t kMaxComment = 0xffff, kMaxEntries = 100'000;
 constexpr uint64_t kMaxUnpacked = uint64_t{1} << 32;
 constexpr uint64_t kMaxRatio = 200, kAlwaysUnpacked = uint64_t{1} << 26;  // of unpacked to packed bytes
@@ -158,19 +160,49 @@ std::optional<uint64_t> inflate_parts(std::string_view content, uint64_t most, c
   return state == Z_STREAM_END && size <= most ? std::optional(size) : std::nullopt;
 }
 
-// An object of a model by the name of its file, without the first slash, and its id.
-using ObjectKey = std::pair<std::string, std::string>;
+constexpr std::string_view kBlanks = " \t\r\n";
 
-// Finds the components of the objects of model files, given in parts.
+std::string_view without_slashes(std::string_view path) {
+  path.remove_prefix(std::min(path.find_first_not_of('/'), path.size()));
+  return path;
+}
+
+// An attribute of an element, its name without a prefix.
+struct XmlAttribute {
+  std::string_view name, value;
+};
+
+// Removes the next attribute from the rest of a tag after the name of the element; nullopt at its end. Like
+// lib3mf it accepts anything between '=' and the value.
+std::optional<XmlAttribute> take_attribute(std::string_view& tag) {
+  const size_t quote = tag.find_first_of("\"'");
+  if (quote == std::string_view::npos) return std::nullopt;
+  std::string_view name = tag.substr(0, std::min(tag.find('='), quote));
+  name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
+  name.remove_prefix(name.find_last_of(" \t\r\n:") + 1);
+  const size_t end = std::min(tag.find(tag[quote], quote + 1), tag.size());
+  const std::string_view value = tag.substr(quote + 1, end - quote - 1);
+  tag.remove_prefix(std::min(end + 1, tag.size()));
+  return XmlAttribute{name, value};
+}
+
+// An object of a model by the name of its file, without the first slash, and its id.
+using ObjectKey = std::pair<std::string, uint32_t>;
+
+// Finds the components of the objects of model files, and in relationship files the names of these. Both are
+// given in parts.
 class ComponentScan {
  public:
   void begin_file(std::string_view name) {
-    file_ = std::string(name);
+    file_ = std::string(without_slashes(name));
     text_.clear();
     object_ = nullptr;
   }
-  // Returns true if there is text that could hide elements: within comments, declarations or values.
+  // Returns true if there is text that could hide elements, within comments, declarations or values, or if an
+  // id is no number of 32 bits or occurs twice.
   bool refuses() const { return refuses_; }
+  // Returns true if a relationship refers to a model whose name does not end like those that are scanned.
+  bool has_other_model() const { return has_other_model_; }
 
   void add(std::string_view part) {
     constexpr size_t kMaxTag = size_t{1} << 20;
@@ -217,29 +249,39 @@ class ComponentScan {
   void add_tag(std::string_view tag) {
     const bool is_declaration = tag.starts_with('!') && !tag.starts_with("!--");
     refuses_ = refuses_ || is_declaration || tag.find('<') != std::string_view::npos;
-    std::string_view name = tag.substr(0, std::min(tag.find_first_of(" \t\r\n/"), tag.size()));
-    name.remove_prefix(name.find(':') == std::string_view::npos ? 0 : name.find(':') + 1);
-    if (name == "object") object_ = &objects_[{file_, attribute(tag, "id")}];
+    const size_t end = std::min(tag.find_first_of(" \t\r\n/"), tag.size());
+    std::string_view name = tag.substr(0, end);
+    name.remove_prefix(name.find(':') + 1);
+    tag.remove_prefix(end);
+    if (name == "Relationship" && attribute(tag, "Type").ends_with("3dmodel"))
+      has_other_model_ = has_other_model_ || !attribute(tag, "Target").ends_with(kModelEnding);
+    if (name == "object") object_ = &objects_[{file_, id(tag, "id")}];
     if (name != "component" || !object_) return;
-    std::string path = attribute(tag, "path");
-    path.erase(0, path.starts_with('/') ? 1 : 0);
-    object_->push_back({path.empty() ? file_ : path, attribute(tag, "objectid")});
+    const std::string_view path = without_slashes(attribute(tag, "path"));
+    object_->push_back({path.empty() ? file_ : std::string(path), id(tag, "objectid")});
   }
 
   // Returns the value of an attribute, with any prefix; empty if there is none.
-  std::string attribute(std::string_view tag, std::string_view name) {
-    size_t at = 0;
-    while ((at = tag.find(name, at + 1)) != std::string_view::npos) {
-      const std::string_view rest = tag.substr(at + name.size());
-      const size_t quote = rest.find_first_not_of(" \t\r\n=");
-      const bool is_whole = std::string_view(" \t\r\n:").find(tag[at - 1]) != std::string_view::npos;
-      if (!is_whole || quote == std::string_view::npos || (rest[quote] != '"' && rest[quote] != '\''))
-        continue;
-      const std::string_view value = rest.substr(quote + 1, rest.find(rest[quote], quote + 1) - quote - 1);
-      refuses_ = refuses_ || value.find('&') != std::string_view::npos;
-      return std::string(value);
+  std::string_view attribute(std::string_view tag, std::string_view name) {
+    std::optional<std::string_view> value;
+    while (const auto next = take_attribute(tag)) {
+      if (next->name != name) continue;
+      refuses_ = refuses_ || value || next->value.find('&') != std::string_view::npos;
+      value = next->value;
     }
-    return "";
+    return value.value_or("");
+  }
+
+  // Likewise for a number, which may have zeros and blanks before it; 0 if there is none.
+  uint32_t id(std::string_view tag, std::string_view name) {
+    std::string_view text = attribute(tag, name);
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    text = text.substr(0, text.find_last_not_of(kBlanks) + 1);
+    if (text.empty()) return 0;
+    const int64_t number = parse_integer(text).value_or(-1);
+    const bool fits = number >= 0 && number <= std::numeric_limits<uint32_t>::max();
+    refuses_ = refuses_ || !fits;
+    return fits ? static_cast<uint32_t>(number) : 0;
   }
 
   // The number of objects within an object with itself, and of their levels.
@@ -268,7 +310,7 @@ class ComponentScan {
   std::map<ObjectKey, std::vector<ObjectKey>> objects_;
   std::map<ObjectKey, Extent> extents_;
   std::vector<ObjectKey>* object_ = nullptr;
-  bool refuses_ = false;
+  bool refuses_ = false, has_other_model_ = false;
 };
 
 }  // namespace
@@ -303,10 +345,10 @@ Status check_3mf_entries(const std::vector<ZipEntry>& entries, const std::string
     return bad_input(name + ": the archive unpacks to more than 200 times its size.");
   ComponentScan scan;
   for (const ZipEntry& entry : entries) {
-    const bool is_model = entry.name.ends_with(".model");
-    if (is_model) scan.begin_file(entry.name);
+    const bool is_scanned = entry.name.ends_with(kModelEnding) || entry.name.ends_with(".rels");
+    if (is_scanned) scan.begin_file(entry.name);
     const auto use = [&](std::string_view part) {
-      if (is_model && !scan.refuses()) scan.add(part);
+      if (is_scanned && !scan.refuses()) scan.add(part);
     };
     std::optional<uint64_t> size = entry.content.size();
     if (entry.method == kDeflated) {
@@ -319,7 +361,11 @@ Status check_3mf_entries(const std::vector<ZipEntry>& entries, const std::string
       return bad_input(name + ": the archive is damaged: a file in it has another size than declared.");
   }
   if (scan.refuses())
-    return bad_input(name + ": the model has elements in comments, declarations or values; remove these.");
+    return bad_input(name +
+                     ": the model has invalid ids, or elements in comments, declarations or values; "
+                     "remove these.");
+  if (scan.has_other_model())
+    return bad_input(name + ": the name of a model in the archive must end with '.model'.");
   if (scan.has_too_many()) return bad_input(name + ": the 3MF file has too many components.");
   return Done{};
 }

@@ -25,9 +25,9 @@ struct ZipEntry {
 Result<std::vector<ZipEntry>> zip_entries(std::string_view archive, const std::string& name);
 
 // Checks what lib3mf does not: that the entries of a 3MF file have their declared sizes, in total at most
-// 4 GiB and, above 64 MiB, 200 times their compressed size, and are not encrypted, and that its objects have
-// at most kMaxThreeMfObjects components at most kMaxThreeMfDepth levels deep. lib3mf visits all of them, in
-// recursion. Linear in the uncompressed size.
+// 4 GiB and, above 64 MiB, 200 times their compressed size, and are not encrypted, that the names of its
+// models end with ".model", and that its objects have at most kMaxThreeMfObjects components at most
+// kMaxThreeMfDepth levels deep. lib3mf visits all of them, in recursion. Linear in the uncompressed size.
 Status check_3mf_entries(const std::vector<ZipEntry>& entries, const std::string& name);
 inline constexpr uint64_t kMaxThreeMfObjects = 1'000'000;
 inline constexpr int kMaxThreeMfDepth = 100;

@@ -59,7 +59,7 @@ std::string archive(const std::vector<PackedFile>& files) {
   return bytes;
 }
 
-std::vector<PackedFile> package(const std::string& model) {
+std::vector<PackedFile> package(const std::string& model, const std::string& name = "3D/3dmodel.model") {
   return {
       stored("[Content_Types].xml",
              R"(<?xml version="1.0" encoding="UTF-8"?><Types xmlns=)"
@@ -69,9 +69,9 @@ std::vector<PackedFile> package(const std::string& model) {
       stored("_rels/.rels",
              R"(<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns=)"
              R"("http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Type=)"
-             R"("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel" Target="/3D/3dmodel.model" )"
-             R"(Id="rel0"/></Relationships>)"),
-      stored("3D/3dmodel.model", model)};
+             R"("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel" Target="/)" +
+                 name + R"(" Id="rel0"/></Relationships>)"),
+      stored(name, model)};
 }
 
 constexpr const char* kTriangleMesh =
@@ -325,16 +325,47 @@ TEST(ThreeMf, archives_that_lie_are_refused) {
   EXPECT_NE(refusal("PK\x03\x04").find("damaged"), std::string::npos);
 }
 
-// Each object contains the one before it ten times.
-TEST(ThreeMf, components_that_multiply_are_refused) {
+// Returns a model in which each object contains the one before it ten times. `before` and `after` enclose the
+// number of a component.
+std::string multiplying_model(const std::string& before, const std::string& after = "\"") {
   std::string resources = object(1, "", kTriangleMesh);
   for (int id = 2; id < 12; ++id) {
     std::string components;
-    for (int i = 0; i < 10; ++i) components += "<component objectid=\"" + std::to_string(id - 1) + "\"/>";
+    for (int i = 0; i < 10; ++i) components += "<component " + before + std::to_string(id - 1) + after + "/>";
     resources += object(id, "", "<components>" + components + "</components>");
   }
-  const std::string bytes = archive(package(model("meter", resources, "<item objectid=\"11\"/>")));
-  EXPECT_NE(refusal(bytes).find("too many components"), std::string::npos);
+  return model("meter", resources, "<item objectid=\"11\"/>");
+}
+
+TEST(ThreeMf, components_that_multiply_are_refused) {
+  for (const char* before : {"objectid=\"", "objectid = '", "objectid=\"00", "objectid=\" +",
+                             "objectid=\x01\"", "m:a=\" objectid='1' \" objectid=\""}) {
+    const std::string after = std::string_view(before).ends_with('\'') ? "'" : "\"";
+    const std::string bytes = archive(package(multiplying_model(before, after)));
+    EXPECT_NE(refusal(bytes).find("too many components"), std::string::npos) << before;
+  }
+}
+
+TEST(ThreeMf, ids_that_are_no_numbers_or_occur_twice_are_refused) {
+  for (const char* before :
+       {"m:objectid=\"1\" objectid=\"", "objectid=\"-", "objectid=\"1000000000000", "objectid=\"\v"}) {
+    const std::string bytes = archive(package(multiplying_model(before)));
+    EXPECT_NE(refusal(bytes).find("invalid ids"), std::string::npos) << before;
+  }
+}
+
+TEST(ThreeMf, models_of_other_names_are_read_if_their_ending_is_usual) {
+  const std::string text = model("meter", object(1, "", kTriangleMesh), "<item objectid=\"1\"/>");
+  for (const char* name : {"3D/part.model", "3D/3DModel.model", "a.model"}) {
+    const std::string bytes = archive(package(text, name));
+    const auto soup = read_3mf(bytes, "a.3mf");
+    ASSERT_TRUE(soup.ok()) << name << soup.error().message;
+    EXPECT_EQ(soup->triangles.size(), 1u) << name;
+  }
+  for (const char* name : {"3D/3dmodel.xml", "3D/3dmodel.MODEL", "3D/3dmodel"}) {
+    const std::string bytes = archive(package(text, name));
+    EXPECT_NE(refusal(bytes).find("must end with '.model'"), std::string::npos) << name;
+  }
 }
 
 TEST(ThreeMf, deep_components_are_refused) {

@@ -53,9 +53,11 @@ bool is_gltf_text(std::string_view bytes) {
          bytes.find("\"asset\"") != std::string_view::npos;
 }
 
-// Returns true for a ZIP archive with the model of a 3MF file.
+// Returns true for a ZIP archive with the model of a 3MF file, which need not have the usual name.
 bool is_3mf(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04") && bytes.find("3D/3dmodel") != std::string_view::npos;
+  const auto has = [&](std::string_view text) { return bytes.find(text) != std::string_view::npos; };
+  return bytes.starts_with("PK\x03\x04") &&
+         (has("3D/3dmodel") || (has("[Content_Types].xml") && has(".model")));
 }
 
 // A kind of file that begins with `start`, at the byte `at`, and contains `word` unless that is empty.

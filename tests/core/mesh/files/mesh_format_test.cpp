@@ -26,6 +26,14 @@ TEST(MeshFormat, of_a_file_is_detected_by_content_not_name) {
       EXPECT_EQ(recognise_format(sample.bytes, ending), sample.format) << sample.name << " as ." << ending;
 }
 
+TEST(MeshFormat, of_an_archive_is_3mf_if_it_has_a_model_of_any_name) {
+  const std::string zip = "PK\x03\x04";
+  EXPECT_EQ(recognise_format(zip + "3D/3dmodel.model", ""), MeshFormat::k3mf);
+  EXPECT_EQ(recognise_format(zip + "[Content_Types].xml _rels/.rels 3D/part.model", ""), MeshFormat::k3mf);
+  EXPECT_FALSE(recognise_format(zip + "[Content_Types].xml _rels/.rels word/document.xml", ""));
+  EXPECT_FALSE(recognise_format(zip + "part.model", ""));
+}
+
 TEST(MeshFormat, of_damaged_content_falls_back_to_the_name) {
   EXPECT_EQ(recognise_format("\x01\x02\x03", "off"), MeshFormat::kOff);
   EXPECT_FALSE(recognise_format("\x01\x02\x03", "txt"));

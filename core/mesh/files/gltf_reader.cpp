@@ -143,9 +143,18 @@ class GltfReader {
     const auto primitives = json.find("primitives");
     if (primitives == json.end() || !primitives->is_array()) return file_.wrong(where, "must be an array");
     placed_.clear();
-    for (size_t i = 0; i < primitives->size(); ++i) {
-      if (auto problem = read_primitive((*primitives)[i], where + "/" + std::to_string(i), to_scene))
-        return problem;
+    const auto read_one = [&](size_t i) {
+      return read_primitive((*primitives)[i], where + "/" + std::to_string(i), to_scene);
+    };
+    // Only primitives with triangles are read again, so that the time is linear in the number of triangles.
+    const auto [known, is_new] = drawn_.try_emplace(mesh);
+    for (size_t i = 0; i < known->second.size(); ++i) {
+      if (auto problem = read_one(known->second[i])) return problem;
+    }
+    for (size_t i = 0; is_new && i < primitives->size(); ++i) {
+      const size_t before = polygons_.size();
+      if (auto problem = read_one(i)) return problem;
+      if (polygons_.size() > before) known->second.push_back(i);
     }
     return std::nullopt;
   }
@@ -398,8 +407,9 @@ class GltfReader {
   std::vector<Vec3> positions_;
   std::vector<VertexColour> colours_;  // by position, up to the last coloured one
   PolygonList polygons_;
-  std::map<VertexAccessors, Placed> placed_;      // of the current mesh
-  std::map<int64_t, uint16_t> material_numbers_;  // by material of the file, or -1
+  std::map<uint32_t, std::vector<size_t>> drawn_;  // by mesh that was read: the primitives with triangles
+  std::map<VertexAccessors, Placed> placed_;       // of the current mesh
+  std::map<int64_t, uint16_t> material_numbers_;   // by material of the file, or -1
   std::vector<std::string> material_names_, warnings_;
   std::vector<std::optional<uint32_t>> materials_;  // by number: of the file
   std::vector<glm::vec3> normals_;                  // by position, up to the last one with a normal

@@ -115,6 +115,21 @@ TEST(Gltf, reads_material_names_and_skips_points) {
   EXPECT_EQ(soup.warnings.size(), 1u);
 }
 
+TEST(Gltf, is_fast_for_many_nodes_with_many_primitives_without_triangles) {
+  constexpr int kMany = 20'000;
+  json file = square();
+  json& primitives = file["meshes"][0]["primitives"];
+  const json points = {{"attributes", {{"POSITION", 0}}}, {"mode", 0}};
+  for (int i = 0; i < kMany; ++i) primitives.push_back(points);
+  for (int i = 1; i < kMany; ++i) {
+    file["nodes"].push_back({{"mesh", 0}});
+    file["scenes"][0]["nodes"].push_back(i);
+  }
+  const Soup soup = soup_of(file);
+  EXPECT_EQ(soup.triangles.size(), 2u * kMany);
+  EXPECT_EQ(soup.parts.size(), size_t{kMany});
+}
+
 TEST(Gltf, an_index_out_of_range_is_an_invalid_face) {
   json file = square();
   file["accessors"][0]["count"] = 3;

@@ -51,6 +51,7 @@ class HeaderReader {
   Result<PlyHeader> read() {
     if (scanner_.word() != "ply") return scanner_.expected("'ply'");
     scanner_.at_line_end();
+    const bool has_cr_lines = at_lone_cr();
     scanner_.skip_line();
     for (;;) {
       if (scanner_.at_end()) {
@@ -65,8 +66,7 @@ class HeaderReader {
     }
     if (header_.elements.empty() && stray_error_) return *stray_error_;
     if (!has_format_) return scanner_.line_error("the header has no 'format'");
-    scanner_.at_line_end();
-    scanner_.skip_line();
+    skip_to_data(has_cr_lines);
     if (auto problem = check_counts()) return *problem;
     record_stray_lines();
     return std::move(header_);
@@ -82,6 +82,22 @@ class HeaderReader {
     if (keyword == "comment") read_comment();
     if (keyword == "comment" || keyword == "obj_info") return std::nullopt;
     return pass_over_stray_line();
+  }
+
+  bool at_byte(size_t ahead, char c) const {
+    const size_t at = scanner_.position() + ahead;
+    return ahead < scanner_.left() && scanner_.between(at, at + 1).front() == c;
+  }
+  bool at_lone_cr() const { return at_byte(0, '\r') && !at_byte(1, '\n'); }
+
+  // Ends the line of the last keyword. If lines end with CR alone, an LF after it is data.
+  void skip_to_data(bool has_cr_lines) {
+    scanner_.at_line_end();
+    if (has_cr_lines && at_byte(0, '\r')) {
+      scanner_.take(1);
+    } else {
+      scanner_.skip_line();
+    }
   }
 
   void read_comment() {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "tests/core/mesh/files/sample_files.h"
@@ -57,6 +58,18 @@ TEST(PlyReader, does_not_take_a_newline_in_the_data_for_the_end_of_the_header) {
   const Result<Soup> soup = read_ply(file(elements, data, "binary_little_endian"), "t.ply");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->positions[0], Vec3(10, 0, 0));
+}
+
+TEST(PlyReader, takes_a_newline_after_a_header_with_carriage_returns_for_data) {
+  const std::string elements =
+      "element vertex 3\nproperty char x\nproperty char y\nproperty char z\n" + kFaces;
+  const std::string data("\n\0\0\0\n\0\0\0\n\3\0\0\0\0\1\0\0\0\2\0\0\0", 22);
+  std::string bytes = file(elements, "", "binary_little_endian");
+  std::replace(bytes.begin(), bytes.end(), '\n', '\r');
+  const Result<Soup> soup = read_ply(bytes + data, "t.ply");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->positions[0], Vec3(10, 0, 0));
+  EXPECT_TRUE(soup->warnings.empty());
 }
 
 TEST(PlyReader, reports_lines_with_a_missing_or_extra_value) {

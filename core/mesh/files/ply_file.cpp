@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -126,9 +127,8 @@ class HeaderReader {
   Problem read_element() {
     const std::string_view name = scanner_.word();
     if (name.empty()) return scanner_.expected("the name of an element");
-    const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
-                                   [&](const PlyElement& element) { return element.name == name; });
-    if (twice) return scanner_.line_error("declares the element " + in_quotes(name) + " twice");
+    if (!names_.emplace(name).second)
+      return scanner_.line_error("declares the element " + in_quotes(name) + " twice");
     const std::optional<int64_t> count = scanner_.integer();
     if (!count) return scanner_.expected("the number of elements");
     if (*count < 0) return scanner_.line_error("declares " + std::to_string(*count) + " elements");
@@ -217,6 +217,7 @@ class HeaderReader {
 
   Scanner& scanner_;
   PlyHeader header_;
+  std::set<std::string> names_;  // of the elements
   bool has_format_ = false;
   size_t line_begin_ = 0;  // of the current line
   size_t stray_lines_ = 0;

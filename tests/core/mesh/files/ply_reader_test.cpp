@@ -91,6 +91,12 @@ TEST(PlyReader, rejects_counts_that_exceed_the_file) {
   EXPECT_EQ(ply_refusal(file("element vertex -3\n", "")), "t.ply, line 3: declares -3 elements.");
 }
 
+TEST(PlyReader, is_fast_for_many_elements) {
+  std::string others;
+  for (int i = 0; i < 200'000; ++i) others += "element other" + std::to_string(i) + " 0\n";
+  EXPECT_EQ(ply_refusal(file(others + kVertices + kFaces, kData)), "");
+}
+
 TEST(PlyReader, is_fast_for_a_huge_element_without_properties) {
   EXPECT_EQ(ply_refusal(file("element nothing 9000000000000000000\n" + kVertices + kFaces, kData)), "");
 }

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -271,12 +272,17 @@ std::string obstacle_to_3mf(std::span<const MeshView> meshes) {
   const auto fits = [](const Vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kMaxThreeMf;
   };
+  const auto has_different_corners = [](const std::array<uint32_t, 3>& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+  };
   for (const MeshView& mesh : meshes) {
     if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), fits))
       return "3MF cannot store coordinates beyond 1000 km";
     constexpr size_t kMax = size_t{1} << 31;
     if (mesh.positions.size() >= kMax || mesh.triangles.size() >= kMax)
       return "3MF cannot store more than 2147483647 vertices or triangles";
+    if (!std::all_of(mesh.triangles.begin(), mesh.triangles.end(), has_different_corners))
+      return "3MF cannot store faces that have the same corner twice";
   }
   return {};
 }

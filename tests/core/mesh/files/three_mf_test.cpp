@@ -423,5 +423,18 @@ TEST(ThreeMf, coordinates_beyond_its_range_are_refused) {
   EXPECT_NE(status.error().message.find("3MF cannot store coordinates beyond"), std::string::npos);
 }
 
+TEST(ThreeMf, faces_that_have_the_same_corner_twice_are_refused) {
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const std::array<uint32_t, 3>& flat :
+       {std::array<uint32_t, 3>{0, 0, 1}, std::array<uint32_t, 3>{0, 1, 1},
+        std::array<uint32_t, 3>{0, 1, 0}}) {
+    const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, flat};
+    const auto bytes = encode_mesh({positions, triangles, {}, {}}, MeshFormat::k3mf);
+    ASSERT_FALSE(bytes);
+    EXPECT_EQ(bytes.error().message,
+              "3MF cannot store faces that have the same corner twice; select another format");
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

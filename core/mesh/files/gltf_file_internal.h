@@ -144,8 +144,10 @@ using GltfMatrix = glm::dmat4;
 Result<GltfMatrix> gltf_transform(const GltfFile& file, const nlohmann::json& node, const std::string& where);
 
 // Returns the transforms of the instances of a node's mesh to the scene (EXT_mesh_gpu_instancing); that of
-// the node, `to_scene`, without the extension. Fails for instances that are not finite.
+// the node, `to_scene`, without the extension. Fails for instances that are not finite, and for more than
+// `max_instances`.
 Result<std::vector<GltfMatrix>> gltf_instances(const GltfFile& file, const nlohmann::json& node,
-                                               const std::string& where, const GltfMatrix& to_scene);
+                                               const std::string& where, const GltfMatrix& to_scene,
+                                               size_t max_instances);
 
 }  // namespace kerf

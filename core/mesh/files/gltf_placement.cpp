@@ -83,7 +83,8 @@ Result<GltfMatrix> gltf_transform(const GltfFile& file, const nlohmann::json& no
 }
 
 Result<std::vector<GltfMatrix>> gltf_instances(const GltfFile& file, const nlohmann::json& node,
-                                               const std::string& of, const GltfMatrix& to_scene) {
+                                               const std::string& of, const GltfMatrix& to_scene,
+                                               size_t max_instances) {
   std::vector<GltfMatrix> instances{to_scene};
   const auto extensions = node.find("extensions");
   if (extensions == node.end() || !extensions->is_object() || !extensions->contains(kGltfInstancing))
@@ -105,6 +106,8 @@ Result<std::vector<GltfMatrix>> gltf_instances(const GltfFile& file, const nlohm
     count = (**values)->size();
   }
   if (!count) return file.wrong(where, "has no TRANSLATION, ROTATION or SCALE");
+  if (*count > max_instances)
+    return file.wrong(where, "exceeds the maximum number of instances per glTF file");
   instances.clear();
   for (size_t i = 0; i < *count; ++i) {
     const glm::dvec4 rotation = *turned ? (*turned)->vector(i) : glm::dvec4(0, 0, 0, 1);

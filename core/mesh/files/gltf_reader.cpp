@@ -21,6 +21,7 @@ namespace {
 using Matrix = GltfMatrix;
 
 constexpr size_t kMaxTriangles = 100'000'000, kMaxPositions = 3 * kMaxTriangles;
+constexpr size_t kMaxInstances = 1'000'000;  // of nodes with several
 constexpr uint64_t kTriangles = 4, kStrip = 5, kFan = 6, kModes = 7;
 
 std::string node_place(uint32_t node) { return "/nodes/" + std::to_string(node); }
@@ -114,8 +115,9 @@ class GltfReader {
     if (!mesh) return mesh.error();
     if (!*mesh) return std::nullopt;
     if (node.contains("skin")) record_once(skinned_, "Meshes with a skin were read in their rest pose.");
-    const auto instances = gltf_instances(file_, node, where, to_scene);
+    const auto instances = gltf_instances(file_, node, where, to_scene, kMaxInstances - instances_);
     if (!instances) return instances.error();
+    if (instances->size() > 1) instances_ += instances->size();
     for (const Matrix& instance : *instances) {
       polygons_.begin_parts(PolygonList::Level::kObject, {name_of(node, file_.element("meshes", **mesh))});
       if (auto problem = read_mesh(**mesh, instance)) return problem;
@@ -404,6 +406,7 @@ class GltfReader {
   const std::filesystem::path& folder_;
   std::vector<bool> seen_;  // by node
   std::vector<Open> open_;
+  size_t instances_ = 0;  // of nodes with several
   std::vector<Vec3> positions_;
   std::vector<VertexColour> colours_;  // by position, up to the last coloured one
   PolygonList polygons_;

@@ -73,7 +73,8 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
 // with the name of its node (EXT_mesh_gpu_instancing). Rejects Draco, meshopt and other required extensions
 // by name. Buffers and images are data URIs or files in `folder`, the folder of the file, and below; if it is
 // empty, no other files are read. An index that is out of range makes an invalid face. Linear in the number
-// of bytes and of triangles of all nodes and instances, at most 10^8. `progress` may be null.
+// of bytes and of triangles of all nodes and instances, at most 10^8, with at most 10^6 instances. `progress`
+// may be null.
 Result<Soup> read_gltf(std::string_view bytes, const std::string& file_name,
                        const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 

@@ -249,6 +249,10 @@ TEST(GltfInstances, damage_is_rejected) {
   expect_refusal("the unusable instance 0", [](GltfBuilder& gltf, json& attributes) {
     attributes["SCALE"] = gltf.add("VEC3", 5126, 1, std::vector<float>{1, INFINITY, 1});
   });
+  expect_refusal("the maximum number of instances", [](GltfBuilder& gltf, json& attributes) {
+    constexpr size_t kMany = 1'000'001;
+    attributes["TRANSLATION"] = gltf.add("VEC3", 5120, kMany, std::vector<int8_t>(3 * kMany));
+  });
   expect_refusal("without a buffer view", [](GltfBuilder& gltf, json& attributes) {
     attributes["SCALE"] =
         gltf.add({{"componentType", 5126}, {"count", 1}, {"type", "VEC3"}, {"sparse", json::object()}});

@@ -50,14 +50,34 @@ struct ThreeMfSink {
   }
 };
 
-// Returns a name that XML and the buffers of lib3mf can hold.
+// Returns the number of bytes of the first character of a text in UTF-8 (RFC 3629) that is not empty; 0 if it
+// is malformed or if XML cannot hold it on one line.
+size_t bytes_of_character(std::string_view text) {
+  const auto byte = [&](size_t i) { return i < text.size() ? static_cast<uint8_t>(text[i]) : uint8_t{0}; };
+  const uint8_t first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  const size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  uint32_t code = first & (0x7fu >> bytes);
+  for (size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i) & 0x3fu);
+  }
+  constexpr std::array<uint32_t, 5> kMinCode{0, 0, 0x80, 0x800, 0x10000};  // by number of bytes
+  const bool is_surrogate = code >= 0xd800 && code <= 0xdfff, is_character = code != 0xfffe && code != 0xffff;
+  return code >= kMinCode[bytes] && code <= 0x10ffff && !is_surrogate && is_character ? bytes : 0;
+}
+
+// Returns a name that XML and the buffers of lib3mf can hold. lib3mf writes any bytes.
 std::string plain_name(std::string_view name) {
   constexpr size_t kMaxName = 200;
-  std::string plain(name.substr(0, kMaxName));
-  while (plain.size() < name.size() && !plain.empty() && (plain.back() & 0xc0) == 0x80) plain.pop_back();
-  if (plain.size() < name.size() && !plain.empty() && (plain.back() & 0xc0) == 0xc0) plain.pop_back();
-  for (char& c : plain) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+  std::string plain;
+  while (!name.empty()) {
+    const size_t bytes = bytes_of_character(name);
+    const std::string_view next = bytes == 0 ? "_" : name.substr(0, bytes);
+    if (plain.size() + next.size() > kMaxName) break;
+    plain += next;
+    name.remove_prefix(next.size());
   }
   return plain;
 }

@@ -206,6 +206,23 @@ TEST(ThreeMf, is_read_back_as_written) {
   }
 }
 
+TEST(ThreeMf, bytes_of_names_that_xml_cannot_hold_are_replaced) {
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 1}};
+  const std::vector<uint16_t> materials{0, 1};
+  const std::string valid = "b\xc3\xa4\xf0\x9f\x98\x80";
+  const std::vector<std::string> names{"gl\xe4nzend", "a\xef\xbf\xbe\xed\xa0\x80\xc0\xaf" + valid};
+  const std::string name = std::string(199, 'x') + "\xc3\xa4";
+  const MeshView view{positions, triangles, materials, names, {}, "\xffx\xc3"};
+  const auto soup = read_3mf(encoded(view, MeshFormat::k3mf), "a.3mf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  EXPECT_EQ(soup->parts[0].name, "_x_");
+  EXPECT_EQ(soup->material_names, (std::vector<std::string>{"gl_nzend", "a________" + valid}));
+  const auto cut_off = read_3mf(encoded({positions, triangles, {}, {}, {}, name}, MeshFormat::k3mf), "a.3mf");
+  ASSERT_TRUE(cut_off.ok()) << cut_off.error().message;
+  EXPECT_EQ(cut_off->parts[0].name, std::string(199, 'x'));
+}
+
 TEST(ThreeMf, a_single_material_is_read_back_as_written) {
   const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<std::array<uint32_t, 3>> triangles{{0, 1, 2}};

@@ -186,7 +186,7 @@ class ThreeMfReader {
     NMR::lib3mf_meshobject_getvertexcount(mesh.object.get(), &vertex_count);
     NMR::lib3mf_meshobject_gettrianglecount(mesh.object.get(), &triangle_count);
     if (triangle_count > kMaxThreeMfTriangles - polygons_.size() ||
-        vertex_count > 3 * kMaxThreeMfTriangles - positions_.size())
+        positions_.size() + vertex_count > 3 * kMaxThreeMfTriangles)
       return bad_input(name_ + ": exceeds the maximum number of faces per 3MF file.");
     DWORD beams = 0;
     NMR::lib3mf_meshobject_getbeamcount(mesh.object.get(), &beams);

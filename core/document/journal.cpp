@@ -242,8 +242,11 @@ Result<std::string> journal_lines(std::span<const Command> commands, std::span<c
                                   const std::filesystem::path& folder) {
   std::string lines;
   for (size_t i = 0;; ++i) {
-    for (; !marks.empty() && marks.front().commands == i; marks = marks.subspan(1))
-      lines += fields_json(marks.front(), folder).dump() + '\n';
+    for (; !marks.empty() && marks.front().commands == i; marks = marks.subspan(1)) {
+      const auto mark = dump_json(fields_json(marks.front(), folder));
+      if (!mark) return mark.error();
+      lines += *mark + '\n';
+    }
     if (i == commands.size()) return lines;
     const auto line = command_text(commands[i], folder);
     if (!line) return line.error();

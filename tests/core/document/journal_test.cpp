@@ -227,6 +227,12 @@ TEST_F(JournalFile, rejects_names_that_json_cannot_represent) {
   const Status saved = save_journal(file(), scene_, commands, {});
   ASSERT_FALSE(saved.ok());
   EXPECT_NE(saved.error().message.find("UTF-8"), std::string::npos);
+  StateMark group;
+  group.group_to = 2;
+  group.group = "\xff";
+  const Status marked = save_journal(file(), scene_, {}, std::vector{group});
+  ASSERT_FALSE(marked.ok());
+  EXPECT_NE(marked.error().message.find("UTF-8"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file()));
 }
 

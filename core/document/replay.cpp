@@ -74,7 +74,7 @@ double Replay::fraction() const {
 
 // Returns the end of the commands to apply before a stopped stroke is executed: a stroke waits for its
 // StopStroke, if only its moves, its end and time precede that.
-size_t Replay::end_of_stopped() const {
+size_t Replay::end_of_stopped() {
   const auto goes_on = [](const Command& command) {
     return std::visit(Overloaded{
                           [](const MoveBeam&) { return true; },
@@ -84,9 +84,10 @@ size_t Replay::end_of_stopped() const {
                       },
                       command);
   };
-  size_t end = next_ + 1;
-  while (end < journal_.commands.size() && goes_on(journal_.commands[end])) ++end;
-  return is_a<StopStroke>(end) ? end + 1 : next_ + 1;
+  end_of_moves_ = std::max(end_of_moves_, next_ + 1);
+  while (end_of_moves_ < journal_.commands.size() && goes_on(journal_.commands[end_of_moves_]))
+    ++end_of_moves_;
+  return is_a<StopStroke>(end_of_moves_) ? end_of_moves_ + 1 : next_ + 1;
 }
 
 // A stroke that is undone next is not executed either, unless a mark records its result: it may have been

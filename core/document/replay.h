@@ -70,7 +70,7 @@ class Replay {
   bool is_a(size_t command) const {
     return command < journal_.commands.size() && std::holds_alternative<Kind>(journal_.commands[command]);
   }
-  size_t end_of_stopped() const;
+  size_t end_of_stopped();
   size_t end_of_undone() const;
   Status report(const QueueRun& how, Outcome outcome) const;
   Status skip(const QueueRun& how, const TimeSkip& skip);
@@ -80,6 +80,7 @@ class Replay {
   const Journal& journal_;
   Document& document_;
   size_t next_ = 0, next_mark_ = 0;
+  size_t end_of_moves_ = 0;  // the first command from next_ + 1 on that does not continue a stroke, if known
   std::optional<Difference> difference_;
   std::string other_machine_;
   bool cut_otherwise_ = false, looks_differ_ = false;

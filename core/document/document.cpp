@@ -266,7 +266,7 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
   } else if (can_restart_stroke(*this)) {
     outcome.delta = restart_stroke();
   } else if (outcome = replay(now, progress); !outcome.ok()) {
-    last().take_out_last();
+    queue_.history().step(now - 1).take_out_last();
     return outcome;
   }
   journal_.append(command);

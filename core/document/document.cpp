@@ -344,8 +344,10 @@ Outcome Document::undo(const Progress* progress) {
   HistoryStep& step = steps.step(at);
   // A recut may have undone the step before it without keeping its images.
   const bool again = at > 0 && steps.step(at - 1).waiting() && !queue_.pending().holds(at - 1);
-  if (step.images() == Images::kDiscarded || (again && !can_run_again(steps, at - 1)))
-    return replay(at, progress);
+  if (step.images() == Images::kDiscarded || (again && !can_run_again(steps, at - 1))) {
+    if (passed.ok()) passed.append(replay(at, progress));
+    return passed;
+  }
   Delta delta = std::move(passed.delta);
   delta.append(queue_.undo(at));
   if (!step.done()) step.forget();

@@ -203,6 +203,17 @@ TEST(UndoStack, a_missing_piece_is_named_in_the_error_and_changes_nothing) {
   EXPECT_TRUE(document.journal().empty());
 }
 
+TEST(UndoStack, a_failed_undo_reports_the_motion_of_queued_ticks) {
+  Document document(world_of(grid(4, 1)));
+  document.set_window(0);
+  document.apply(Play{});
+  document.apply(AdvanceTime{3, true});
+  const Outcome outcome = document.apply(Undo{});
+  EXPECT_FALSE(outcome.ok());
+  EXPECT_EQ(document.world().clock(), 3u);
+  EXPECT_FALSE(outcome.delta.moved.empty());
+}
+
 TEST(UndoStack, keeps_a_cancelled_stroke_without_the_state_before_it) {
   Document document(world_of(grid(20, 1)));
   document.set_window(0);

@@ -20,9 +20,10 @@ std::string count_text(size_t count, const std::string& word) {
 LengthUnit unit_for(double metres) {
   constexpr std::array<LengthUnit, 5> kUnits{
       {{"nm", 1e-9}, {"\xc2\xb5m", 1e-6}, {"mm", 1e-3}, {"m", 1}, {"km", 1000}}};
+  constexpr double kRoundsToOne = 0.9995;
   LengthUnit best = kUnits.front();
   for (const LengthUnit& unit : kUnits) {
-    if (std::abs(metres) >= unit.metres) best = unit;
+    if (std::abs(metres) >= kRoundsToOne * unit.metres) best = unit;
   }
   return best;
 }

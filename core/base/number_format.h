@@ -17,7 +17,8 @@ struct LengthUnit {
   const char* name;
   double metres;
 };
-// Returns the largest unit from nm to km that does not exceed the length; nm for shorter lengths.
+// Returns the largest unit from nm to km that does not exceed the length, rounded to three significant
+// digits; nm for shorter lengths.
 LengthUnit unit_for(double metres);
 
 // Formats a length in that unit, with three significant digits: "2.75 mm".

@@ -1,6 +1,8 @@
 #include "core/document/drawing_layers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/base/assert.h"
@@ -57,7 +59,13 @@ void set_lasers(const LayerTable& table, std::span<const DrawnLine> lines, std::
     if (settings->radius) strokes[i].radius = settings->radius;
     if (settings->power) strokes[i].power = settings->power;
     if (!settings->speed) continue;
-    for (double& time : strokes[i].times) time *= kDrawingSpeed / *settings->speed;
+    // Rounding must not make the times of two keys equal.
+    double before = std::numeric_limits<double>::lowest();
+    for (double& time : strokes[i].times) {
+      time = std::max(time * (kDrawingSpeed / *settings->speed),
+                      std::nextafter(before, std::numeric_limits<double>::max()));
+      before = time;
+    }
   }
 }
 

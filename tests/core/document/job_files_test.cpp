@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "core/base/deterministic_math.h"
 #include "core/document/drawing_layers.h"
@@ -96,6 +98,18 @@ TEST(JobPlane, beams_from_an_eye_go_through_the_points_of_the_plane) {
   table.layers["HOLES"].speed = 0.1;
   set_lasers(table, lines, strokes);
   EXPECT_NEAR(duration_of(strokes[0]), 24, 1e-12);
+}
+
+TEST(LayerTable, speeds_keep_times_ascending_at_points_that_nearly_coincide) {
+  const std::vector<DrawnLine> lines{{{{0, 0}, {1, 0}}, false, "HOLES"}};
+  LayerTable table;
+  table.layers["HOLES"].speed = 1e6;
+  std::vector<StrokePath> strokes(1);
+  for (double time = 1.9; strokes[0].times.size() < 8; time = std::nextafter(time, 2.0))
+    strokes[0].times.push_back(time);
+  set_lasers(table, lines, strokes);
+  const std::vector<double>& times = strokes[0].times;
+  EXPECT_TRUE(std::ranges::adjacent_find(times, std::greater_equal()) == times.end());
 }
 
 TEST(JobFiles, a_path_is_the_same_after_a_program) {

@@ -29,6 +29,17 @@ Error write_error(const std::filesystem::path& path, int code) {
   return failed("cannot write " + path.string() + ": " + reason + ".");
 }
 
+// Returns the file to which symbolic links lead, whether it exists or not.
+fs::path link_target(fs::path path) {
+  constexpr int kMaxLinks = 40;  // as many as Linux follows
+  std::error_code fault;
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, fault); ++i) {
+    const fs::path to = fs::read_symlink(path, fault);
+    if (!fault) path = path.parent_path() / to;
+  }
+  return path;
+}
+
 // Returns the path of a new hidden file in the directory of the target, and its descriptor. The umask
 // determines the permissions of the file. A negative descriptor means failure, with the reason in errno.
 std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& target) {
@@ -120,6 +131,7 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
   std::error_code unresolved;
   const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
   if (exists && !unresolved) file.target_ = target;
+  if (!exists) file.target_ = link_target(path);
   const auto [beside, descriptor] = open_beside(file.target_);
   if (descriptor < 0) return write_error(path, errno);
   file.beside_ = beside;

@@ -46,6 +46,16 @@ TEST_F(AtomicFile, writes_through_a_symlink) {
   EXPECT_EQ(test::read_text(file()), "linked\n");
 }
 
+TEST_F(AtomicFile, creates_the_file_that_a_symlink_names) {
+  fs::create_directory(folder_ / "there");
+  fs::create_symlink("there/link.txt", folder_ / "link.txt");
+  fs::create_symlink(file(), folder_ / "there" / "link.txt");
+  ASSERT_TRUE(write_file_atomically(folder_ / "link.txt", "linked\n"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "there" / "link.txt"));
+  EXPECT_EQ(test::read_text(file()), "linked\n");
+}
+
 TEST_F(AtomicFile, leaves_the_old_file_if_its_content_cannot_be_produced) {
   ASSERT_TRUE(write_file_atomically(file(), "first\n"));
   const auto fails = [](const ByteSink& sink) {

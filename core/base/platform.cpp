@@ -121,6 +121,8 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
   struct stat there {};
   const bool exists = ::stat(path.c_str(), &there) == 0;
   if (exists && S_ISDIR(there.st_mode)) return write_error(path, EISDIR);
+  // rename() would replace a file without permission to write it.
+  if (exists && ::access(path.c_str(), W_OK) != 0) return write_error(path, errno);
   AtomicFile file;
   file.path_ = file.target_ = path;
   if (exists && !S_ISREG(there.st_mode)) {

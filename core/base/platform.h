@@ -20,7 +20,7 @@ using ByteSink = std::function<bool(std::string_view)>;
 // directly. Each error is one sentence that names the target.
 class AtomicFile {
  public:
-  // Creates the temporary file. Fails if the target is a directory or cannot be written.
+  // Creates the temporary file. Fails if the target is a directory, is read-only or cannot be written.
   static Result<AtomicFile> open(const std::filesystem::path& path);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;

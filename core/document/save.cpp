@@ -184,12 +184,15 @@ fs::path previous_version(const fs::path& file) {
 }
 
 Status save_file(const fs::path& file, std::string_view bytes) {
+  auto fresh = AtomicFile::open(file);
+  if (!fresh) return fresh.error();
+  if (const Status written = fresh->append(bytes); !written) return written;
   std::error_code error;
   const fs::path target = fs::is_regular_file(file, error) ? fs::canonical(file, error) : file;
   if (!error && fs::is_regular_file(target, error)) {
     if (const auto kept = keep(target, previous_version(target)); !kept) return kept;
   }
-  return write_file_atomically(file, bytes);
+  return fresh->commit();
 }
 
 Status save_journal(const fs::path& file, const SceneDescription& scene, std::span<const Command> commands,

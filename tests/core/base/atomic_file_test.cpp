@@ -1,6 +1,7 @@
 #include "core/base/platform.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -36,6 +37,15 @@ TEST_F(AtomicFile, keeps_its_permissions) {
   fs::permissions(file(), fs::perms::owner_read | fs::perms::owner_write | fs::perms::owner_exec);
   ASSERT_TRUE(write_file_atomically(file(), "second\n"));
   EXPECT_EQ(fs::status(file()).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(AtomicFile, does_not_replace_a_read_only_file) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  fs::permissions(file(), fs::perms::owner_read);
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write read-only files";
+  EXPECT_FALSE(write_file_atomically(file(), "second\n"));
+  EXPECT_EQ(test::read_text(file()), "first\n");
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, writes_through_a_symlink) {

@@ -1,6 +1,8 @@
 #include "core/document/save.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +31,23 @@ TEST(SaveFile, keeps_one_previous_version) {
   EXPECT_EQ(read_text(file), "third");
   EXPECT_EQ(read_text(previous_version(file)), "second");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(SaveFile, keeps_the_previous_version_if_the_file_cannot_be_written) {
+  TemporaryFolder folder;
+  const auto file = folder / "work.kerf";
+  for (const char* text : {"first", "second"}) ASSERT_TRUE(save_file(file, text).ok());
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit limit{3, before.rlim_max};
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const Status saved = save_file(file, "third");
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(saved.ok());
+  EXPECT_EQ(read_text(file), "second");
+  EXPECT_EQ(read_text(previous_version(file)), "first");
 }
 
 TEST(SaveFile, writes_through_a_symlink_and_reports_failures) {

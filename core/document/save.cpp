@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cstdio>
 #include <fstream>
@@ -13,6 +15,7 @@
 #include "core/document/piece_looks.h"
 #include "core/document/stroke_path.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/bytes.h"
 #include "core/mesh/files/mtl_file.h"
 #include "core/mesh/files/side_file.h"
 #include "core/mesh/files/soup_file.h"
@@ -45,10 +48,28 @@ std::string without_escapes(std::string_view uri) {
   return path;
 }
 
+// Returns the JSON of a glTF file, of a binary one its first chunk; empty if it cannot be read.
+std::string text_of_gltf(const fs::path& file) {
+  constexpr size_t kHead = 20, kSizeOfText = 12;
+  std::array<char, kHead> head{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), kHead);
+  const bool is_binary = in && std::string_view(head.data(), kHead).starts_with("glTF");
+  if (!is_binary) {
+    const auto text = read_text_file(file);
+    return text ? *text : "";
+  }
+  std::error_code fault;
+  const uintmax_t all = fs::file_size(file, fault);
+  std::string text(std::min<uintmax_t>(load<uint32_t>(head.data() + kSizeOfText, std::endian::little), all),
+                   '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return in ? text : "";
+}
+
 // The files that a glTF file refers to; none if it cannot be read.
 std::vector<fs::path> files_of_gltf(const fs::path& file) {
-  const auto text = read_text_file(file);
-  const auto json = text ? parse_json(*text, "") : Result<nlohmann::json>(text.error());
+  const auto json = parse_json(text_of_gltf(file), "");
   std::vector<fs::path> files;
   for (const char* const list : {"buffers", "images"}) {
     if (!json || !json->is_object() || !json->contains(list)) continue;
@@ -126,7 +147,7 @@ void InputFiles::add(const fs::path& file) {
   const auto format = mesh_format(file.extension().string());
   if (format == MeshFormat::kObj) objs_.push_back(file);
   std::vector<fs::path> parts;
-  if (format == MeshFormat::kGltf) parts = files_of_gltf(file);
+  if (format && is_gltf(*format)) parts = files_of_gltf(file);
   if (format == MeshFormat::kPly) parts = files_of_ply(file);
   for (const fs::path& part : parts) {
     if (const auto there = regular_file(part)) files_.push_back({there->st_dev, there->st_ino, part});

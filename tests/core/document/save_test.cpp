@@ -107,6 +107,20 @@ TEST(InputFiles, include_buffers_and_images_of_gltf_files) {
   EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
 }
 
+TEST(InputFiles, include_images_of_binary_gltf_files) {
+  TemporaryFolder folder;
+  const std::string json = R"({"images":[{"uri":"look.png"}]})";
+  std::string bytes = "glTF";
+  for (const size_t word : {size_t{2}, 20 + json.size(), json.size(), size_t{0x4E4F534A}})
+    append_little(static_cast<uint32_t>(word), bytes);
+  write_text(folder / "part.glb", bytes + json);
+  for (const char* file : {"look.png", "other.png"}) write_text(folder / file, file);
+  InputFiles inputs;
+  inputs.add(folder / "part.glb");
+  EXPECT_FALSE(inputs.check("--out", folder / "look.png").ok());
+  EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
+}
+
 TEST(LostLooks, are_those_that_a_format_does_not_hold) {
   const auto notes = [](const Soup& soup, MeshFormat format) {
     const Body body = make_body("part", build(soup));

@@ -229,7 +229,7 @@ Status cut_all(const std::vector<StrokePath>& strokes, Document& document) {
 Result<Document> load_document(const std::filesystem::path& file, FileUnit unit) {
   auto work = load_file(file, unit);
   if (!work) return work.error();
-  Document document(std::move(work->scene.world));
+  Document document = document_to_replay(*work);
   if (const Status cut = cut_all(work->scene.strokes, document); !cut) return error_or_stopped(cut.error());
   if (const Status run = replay_all(work->journal, document); !run) return error_or_stopped(run.error());
   return document;

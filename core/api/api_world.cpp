@@ -228,7 +228,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   to.scene.strokes.clear();  // which are commands of the document
   Document& document = to.document;
   const size_t window = document.history().window();
-  document = Document(std::move(file->scene.world));
+  document = document_to_replay(*file);
   document.set_window(window);
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
@@ -237,7 +237,9 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
     if (!cut) return cut.error();
   }
-  return replay_journal(file->journal, to, replaying);
+  if (const Status replayed = replay_journal(file->journal, to, replaying); !replayed) return replayed;
+  document.drop_origin();  // the files may change later
+  return Done{};
 }
 
 // Converts a piece for the report.

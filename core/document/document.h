@@ -69,6 +69,8 @@ class Document {
   const World& world() const { return queue_.world(); }
   const CommandQueue& queue() const { return queue_; }
   const UndoStack& history() const { return queue_.history(); }
+  // From now on, undoing a step whose before-images were discarded fails.
+  void drop_origin() { origin_ = {}; }
   // Sets the memory limit of the before-images (see UndoStack::set_window).
   void set_window(size_t bytes) { queue_.history().set_window(bytes); }
 

@@ -1,6 +1,7 @@
 #include "core/document/replay.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/physics/physics.h"
@@ -65,6 +66,15 @@ std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least) {
     i = end;
   }
   return skips;
+}
+
+Document document_to_replay(OpenedFile& file) {
+  const SceneDescription& scene = file.scene;
+  return Document(std::move(file.scene.world), [scene](const Progress* progress) -> Result<World> {
+    auto again = load_scene(scene, progress);
+    if (!again) return again.error();
+    return std::move(again->world);
+  });
 }
 
 double Replay::fraction() const {

@@ -21,6 +21,10 @@ struct TimeSkip {
 // end of the history step, or at a full minute (see CommandQueue::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
+// Moves the world of an opened file into a document. To undo a step whose before-images were discarded, as a
+// journal may require, the document loads the scene again and replays.
+Document document_to_replay(OpenedFile& file);
+
 // Applies the commands of a journal to a document with the journal's scene, and compares the state of the
 // world with each mark. The journal and the document must outlive the replay.
 class Replay {

@@ -282,6 +282,27 @@ TEST_F(JournalFile, replays_to_the_recorded_hashes_and_finds_the_first_mismatch)
   }
 }
 
+TEST_F(JournalFile, replays_undone_steps_whose_images_were_discarded) {
+  std::vector<Command> commands = stroke(0.1);
+  const auto second = stroke(-0.1);
+  commands.insert(commands.end(), second.begin(), second.end());
+  commands.insert(commands.end(), {Undo{}, Undo{}});
+  save(commands);
+  auto opened = open_journal(file());
+  ASSERT_TRUE(opened.ok()) << opened.error().message;
+  const uint64_t uncut = state_hash(opened->scene.world);
+  Document document = document_to_replay(*opened);
+  document.set_window(0);
+  ASSERT_TRUE(Replay(opened->journal, document).run({}).ok());
+  EXPECT_EQ(document.history().position(), 0u);
+  EXPECT_EQ(document.journal().size(), commands.size());
+  EXPECT_EQ(state_hash(document.world()), uncut);
+  document.drop_origin();
+  ASSERT_TRUE(document.apply(Redo{}).ok());
+  ASSERT_TRUE(run_all(document).ok());
+  EXPECT_FALSE(document.apply(Undo{}).ok());
+}
+
 TEST_F(JournalFile, stores_a_recut_stroke) {
   Document document(world_of(plate(1)));
   for (const Command& command : stroke(0.1)) EXPECT_TRUE(document.apply(command).ok());

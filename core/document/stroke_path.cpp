@@ -171,6 +171,9 @@ std::optional<std::string> rejection_reason(std::span<const StrokePath> strokes)
   if (strokes.empty()) return "The path has no points.";
   for (size_t i = 0; i < strokes.size(); ++i) {
     const std::vector<Pose>& keys = strokes[i].keys;
+    if (keys.empty()) return "Stroke " + std::to_string(i + 1) + " has no points.";
+    if (strokes[i].radius == 0.0 && keys.size() < 2)
+      return "Stroke " + std::to_string(i + 1) + " is cut by the knife: add a second point.";
     for (size_t k = 1; k < keys.size(); ++k) {
       if (!are_opposite(keys[k - 1].direction, keys[k].direction)) continue;
       return "Points " + std::to_string(k) + " and " + std::to_string(k + 1) + " of stroke " +

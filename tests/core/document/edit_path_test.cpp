@@ -55,5 +55,19 @@ TEST(EditPath, opposite_neighbours_are_rejected_by_name) {
   EXPECT_NE(why->find("Points 2 and 3 of stroke 2"), std::string::npos) << *why;
 }
 
+TEST(EditPath, strokes_with_too_few_points_are_rejected_like_their_file) {
+  StrokePath dot = bent();
+  while (dot.keys.size() > 1) erase_key(dot, 1);
+  EXPECT_FALSE(rejection_reason(std::vector{dot}).has_value());
+  dot.radius = 0;
+  for (const StrokePath& stroke : {dot, StrokePath()}) {
+    const std::vector<StrokePath> strokes{bent(), stroke};
+    EXPECT_FALSE(read_path_text(path_file_text(strokes), "test").ok());
+    const auto why = rejection_reason(strokes);
+    ASSERT_TRUE(why.has_value());
+    EXPECT_NE(why->find("Stroke 2"), std::string::npos) << *why;
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

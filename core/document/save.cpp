@@ -67,6 +67,9 @@ std::string text_of_gltf(const fs::path& file) {
   return in ? text : "";
 }
 
+// The folder of the files to which a mesh file refers.
+fs::path folder_of_parts(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
+
 // The files that a glTF file refers to; none if it cannot be read.
 std::vector<fs::path> files_of_gltf(const fs::path& file) {
   const auto json = parse_json(text_of_gltf(file), "");
@@ -76,7 +79,8 @@ std::vector<fs::path> files_of_gltf(const fs::path& file) {
     for (const nlohmann::json& entry : (*json)[list]) {
       if (!entry.is_object() || !entry.contains("uri") || !entry["uri"].is_string()) continue;
       const auto uri = entry["uri"].get<std::string>();
-      if (!uri.starts_with("data:")) files.push_back(file.parent_path() / without_escapes(uri));
+      if (uri.starts_with("data:")) continue;
+      if (const auto part = side_file(folder_of_parts(file), without_escapes(uri))) files.push_back(*part);
     }
   }
   return files;
@@ -96,7 +100,7 @@ std::vector<fs::path> files_of_ply(const fs::path& file) {
   std::string name = header.substr(std::min(begin, header.size()));
   name.resize(std::min(name.size(), name.find_first_of(kLineEnds)));
   name.resize(name.find_last_not_of(kBlanks) + 1);
-  const auto texture = side_file(file.has_parent_path() ? file.parent_path() : ".", name);
+  const auto texture = side_file(folder_of_parts(file), name);
   return texture ? std::vector{*texture} : std::vector<fs::path>();
 }
 

@@ -98,11 +98,13 @@ TEST(InputFiles, include_buffers_and_images_of_gltf_files) {
   TemporaryFolder folder;
   write_text(folder / "part.gltf",
              R"({"buffers":[{"byteLength":4},{"uri":"part%20one.bin"}],)"
-             R"("images":[{"bufferView":0},{"uri":"data:;base64,AA=="},{"uri":"look.png"}]})");
-  for (const char* file : {"part one.bin", "look.png", "other.png"}) write_text(folder / file, file);
+             R"("images":[{"bufferView":0},{"uri":"data:;base64,AA=="},{"uri":"look.png"},)"
+             R"({"uri":"../maps/far.png"}]})");
+  for (const char* file : {"part one.bin", "look.png", "far.png", "other.png"})
+    write_text(folder / file, file);
   InputFiles inputs;
   inputs.add(folder / "part.gltf");
-  for (const char* file : {"part.gltf", "part one.bin", "look.png"})
+  for (const char* file : {"part.gltf", "part one.bin", "look.png", "far.png"})
     EXPECT_FALSE(inputs.check("--out", folder / file).ok()) << file;
   EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
 }

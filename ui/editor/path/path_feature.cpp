@@ -296,6 +296,7 @@ class PathFeature : public Feature {
            workspace_.settings.folder, name.empty() ? "path.json" : name);
   }
   void save(const std::filesystem::path& file) {
+    if (const auto why = rejection_reason(path_.strokes())) return workspace_.message.error(*why);
     const Status saved = save_path(file, path_.strokes());
     if (saved) path_.record_file(file);
     workspace_.message.show(saved ? "Saved: " + file.string() : saved.error().message, !saved.ok());

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <iostream>
+#include <map>
 
 #include "app/arguments.h"
 #include "app/console.h"
@@ -216,10 +217,7 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      // A redo may execute a stroke that was not executed before it was undone.
-      const Command& command = work_.journal.commands[replay.applied() - 1];
-      const bool is_run_by_redo = std::holds_alternative<Redo>(command) && step->last.has_value();
-      if (lasting_[replay.applied() - 1] || is_run_by_redo) {
+      if (is_recorded(replay.applied(), document.history().position(), *step)) {
         job_.strokes = stroke > 0 ? stroke - 1 : 0;
         job_.record_step(*step, document.world(),
                          std::chrono::duration<double>(Clock::now() - step_began_).count());
@@ -230,6 +228,17 @@ class ReplayRun {
     const Status filmed = film(replay, document, step ? &*step : nullptr);
     step_began_ = Clock::now();
     return filmed;
+  }
+
+  // Returns true for a step of a command that lasts, and for one of a stroke that only a redo executes
+  // because it was undone before it was executed. `applied`: the number of commands so far.
+  bool is_recorded(size_t applied, size_t position, const StepResult& step) {
+    const bool lasts = applied > 0 && lasting_[applied - 1];
+    const bool is_run_by_redo =
+        applied > 0 && std::holds_alternative<Redo>(work_.journal.commands[applied - 1]) && step.last;
+    if (!lasts && !is_run_by_redo) return false;
+    const size_t first = recorded_by_.try_emplace(position, applied).first->second;
+    return lasts || first == applied;
   }
 
   void record_missed() {
@@ -283,9 +292,10 @@ class ReplayRun {
   OpenedFile work_;
   CutJob job_;
   std::optional<Film> film_;
-  std::vector<bool> lasting_;    // by command of the journal
-  std::vector<size_t> strokes_;  // number of lasting strokes up to and including each command
-  std::vector<bool> met_;        // by lasting stroke: true if it hit a mesh
+  std::vector<bool> lasting_;             // by command of the journal
+  std::vector<size_t> strokes_;           // number of lasting strokes up to and including each command
+  std::vector<bool> met_;                 // by lasting stroke: true if it hit a mesh
+  std::map<size_t, size_t> recorded_by_;  // by position of the history: `applied` of its first recorded step
   Clock::time_point step_began_;
 };
 

@@ -28,7 +28,7 @@ struct LockedFile::Handle {
   ~Handle() {
     if (flushing) {
       const aiocb* const wait_for = request.get();
-      ::aio_suspend(&wait_for, 1, nullptr);
+      while (::aio_error(request.get()) == EINPROGRESS) ::aio_suspend(&wait_for, 1, nullptr);
       ::aio_return(request.get());
     }
     ::close(descriptor);  // this releases the lock

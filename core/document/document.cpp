@@ -265,9 +265,14 @@ Outcome Document::stop(const StopStroke& command, const Progress* progress) {
     if (!last().waiting()) queue_.finish(now - 1);
   } else if (can_restart_stroke(*this)) {
     outcome.delta = restart_stroke();
-  } else if (outcome = replay(now, progress); !outcome.ok()) {
-    queue_.history().step(now - 1).take_out_last();
-    return outcome;
+  } else {
+    outcome = replay(now, progress);
+    // A replay that was cancelled within the stroke has queued the rest of it, up to the stop.
+    const bool is_stopped = outcome.delta.replaced && history().position() == now;
+    if (!outcome.ok() && !is_stopped) {
+      queue_.history().step(now - 1).take_out_last();
+      return outcome;
+    }
   }
   journal_.append(command);
   ++revision_;

@@ -158,7 +158,7 @@ class MoveSearch {
 Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const Progress* progress) {
   KERF_ASSERT(number > 0);
   const double diagonal = file.scene.world.bounds().diagonal();
-  Document document(std::move(file.scene.world));
+  Document document = document_to_replay(file);
   MoveSearch moves(document, number);
   const auto run = [&](const std::vector<Command>& commands) -> Result<bool> {
     for (const Command& command : commands) {

@@ -80,7 +80,9 @@ std::vector<fs::path> files_of_gltf(const fs::path& file) {
       if (!entry.is_object() || !entry.contains("uri") || !entry["uri"].is_string()) continue;
       const auto uri = entry["uri"].get<std::string>();
       if (uri.starts_with("data:")) continue;
-      if (const auto part = side_file(folder_of_parts(file), without_escapes(uri))) files.push_back(*part);
+      const std::string path = without_escapes(uri);
+      files.push_back(folder_of_parts(file) / path);  // a buffer is read only from there
+      if (const auto image = side_file(folder_of_parts(file), path)) files.push_back(*image);
     }
   }
   return files;

@@ -97,14 +97,14 @@ TEST(InputFiles, include_at_most_64_different_libraries_of_an_obj_file) {
 TEST(InputFiles, include_buffers_and_images_of_gltf_files) {
   TemporaryFolder folder;
   write_text(folder / "part.gltf",
-             R"({"buffers":[{"byteLength":4},{"uri":"part%20one.bin"}],)"
+             R"({"buffers":[{"byteLength":4},{"uri":"part%20one.bin"},{"uri":"a%5Cb.bin"}],)"
              R"("images":[{"bufferView":0},{"uri":"data:;base64,AA=="},{"uri":"look.png"},)"
              R"({"uri":"../maps/far.png"}]})");
-  for (const char* file : {"part one.bin", "look.png", "far.png", "other.png"})
+  for (const char* file : {"part one.bin", "a\\b.bin", "look.png", "far.png", "other.png"})
     write_text(folder / file, file);
   InputFiles inputs;
   inputs.add(folder / "part.gltf");
-  for (const char* file : {"part.gltf", "part one.bin", "look.png", "far.png"})
+  for (const char* file : {"part.gltf", "part one.bin", "a\\b.bin", "look.png", "far.png"})
     EXPECT_FALSE(inputs.check("--out", folder / file).ok()) << file;
   EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
 }

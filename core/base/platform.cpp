@@ -135,7 +135,7 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
   if (exists && !unresolved) file.target_ = target;
   if (!exists) file.target_ = link_target(path);
   const auto [beside, descriptor] = open_beside(file.target_);
-  if (descriptor < 0) return write_error(path, errno);
+  if (descriptor < 0) return write_error(exists ? path : file.target_, errno);
   file.beside_ = beside;
   file.descriptor_ = descriptor;
   // Fails if the user may write the file but does not own it; the file is then written without its

@@ -66,6 +66,16 @@ TEST_F(AtomicFile, creates_the_file_that_a_symlink_names) {
   EXPECT_EQ(test::read_text(file()), "linked\n");
 }
 
+TEST_F(AtomicFile, names_the_missing_folder_to_which_a_symlink_leads) {
+  fs::create_symlink(folder_ / "away" / "file.txt", folder_ / "link.txt");
+  const Status written = write_file_atomically(folder_ / "link.txt", "linked\n");
+  ASSERT_FALSE(written.ok());
+  EXPECT_NE(written.error().message.find("there is no folder " + (folder_ / "away").string()),
+            std::string::npos)
+      << written.error().message;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+}
+
 TEST_F(AtomicFile, leaves_the_old_file_if_its_content_cannot_be_produced) {
   ASSERT_TRUE(write_file_atomically(file(), "first\n"));
   const auto fails = [](const ByteSink& sink) {

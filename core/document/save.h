@@ -50,8 +50,8 @@ InputFiles input_files(std::span<const std::filesystem::path> files);
 std::filesystem::path previous_version(const std::filesystem::path& file);
 
 // Writes a file atomically (see write_file_atomically). An existing file becomes its previous version and
-// replaces an earlier one. Follows a symbolic link. On failure the file is unchanged, and if the file cannot
-// be written, so is its previous version.
+// replaces an earlier one. Follows a symbolic link. On failure the file is unchanged. Its previous version is
+// also unchanged if the disk is full.
 Status save_file(const std::filesystem::path& file, std::string_view bytes);
 
 // Writes a journal with save_file. Fails with bad input if the file is a mesh that the journal names.

@@ -217,7 +217,7 @@ class ReplayRun {
       const size_t stroke = replay.applied() > 0 ? strokes_[replay.applied() - 1] : 0;
       if (stroke > 0 && (step->delta.removed_faces > 0 || step->statistics.met_s > 0))
         met_[stroke - 1] = true;
-      if (is_recorded(replay.applied(), document.history().position(), *step)) {
+      if (should_record(replay.applied(), document.history(), *step)) {
         job_.strokes = stroke > 0 ? stroke - 1 : 0;
         job_.record_step(*step, document.world(),
                          std::chrono::duration<double>(Clock::now() - step_began_).count());
@@ -230,15 +230,19 @@ class ReplayRun {
     return filmed;
   }
 
-  // Returns true for a step of a command that lasts, and for one of a stroke that only a redo executes
-  // because it was undone before it was executed. `applied`: the number of commands so far.
-  bool is_recorded(size_t applied, size_t position, const StepResult& step) {
-    const bool lasts = applied > 0 && lasting_[applied - 1];
-    const bool is_run_by_redo =
-        applied > 0 && std::holds_alternative<Redo>(work_.journal.commands[applied - 1]) && step.last;
-    if (!lasts && !is_run_by_redo) return false;
-    const size_t first = recorded_by_.try_emplace(position, applied).first->second;
-    return lasts || first == applied;
+  // Returns true for a step of a command that lasts. A redo executes such a command if it was undone before
+  // it was executed, or again if its before-images were discarded: only the first execution is recorded.
+  // `applied`: the number of commands so far.
+  bool should_record(size_t applied, const UndoStack& history, const StepResult& step) {
+    if (applied == 0) return false;
+    const bool is_redone = std::holds_alternative<Redo>(work_.journal.commands[applied - 1]) && step.last &&
+                           history.position() > 0;
+    // The generation of a step is the number of its first command.
+    const size_t begun = history.position() > 0 ? history.last().generation : 0;
+    const size_t command = is_redone ? begun : applied;
+    if (command == 0 || command > lasting_.size() || !lasting_[command - 1]) return false;
+    const size_t first = recorded_by_.try_emplace(begun, applied).first->second;
+    return !is_redone || first == applied;
   }
 
   void record_missed() {
@@ -295,7 +299,7 @@ class ReplayRun {
   std::vector<bool> lasting_;             // by command of the journal
   std::vector<size_t> strokes_;           // number of lasting strokes up to and including each command
   std::vector<bool> met_;                 // by lasting stroke: true if it hit a mesh
-  std::map<size_t, size_t> recorded_by_;  // by position of the history: `applied` of its first recorded step
+  std::map<size_t, size_t> recorded_by_;  // by first command of a history step: `applied` at its first record
   Clock::time_point step_began_;
 };
 

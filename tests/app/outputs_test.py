@@ -257,7 +257,8 @@ class Outputs(unittest.TestCase):
             commands = [line for line in rest if '"hash"' not in line[:8]]
             undo, redo = '{"do": "undo"}', '{"do": "redo"}'
             # A mark makes the replay execute a stroke that is undone next.
-            for name, lines in (("undone", [*rest, undo, *commands]), ("redone", [*commands, undo, redo])):
+            for name, lines in (("undone", [*rest, undo, *commands]), ("redone", [*commands, undo, redo]),
+                                ("replaced", [*commands, undo, redo, undo, *commands])):
                 self.write(name + ".kerf", "\n".join([head, *lines]) + "\n")
                 done = self.kerf("replay", name + ".kerf", "--out", "again")
                 self.assertEqual(done.returncode, 0, done.stderr)

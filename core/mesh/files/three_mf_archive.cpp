@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -167,9 +168,9 @@ std::string_view without_slashes(std::string_view path) {
   return path;
 }
 
-// An attribute of an element, its name without a prefix.
+// An attribute of an element. The prefix of its name is empty if it has none.
 struct XmlAttribute {
-  std::string_view name, value;
+  std::string_view prefix, name, value;
 };
 
 // Removes the next attribute from the rest of a tag after the name of the element; nullopt at its end. Like
@@ -179,11 +180,13 @@ std::optional<XmlAttribute> take_attribute(std::string_view& tag) {
   if (quote == std::string_view::npos) return std::nullopt;
   std::string_view name = tag.substr(0, std::min(tag.find('='), quote));
   name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
-  name.remove_prefix(name.find_last_of(" \t\r\n:") + 1);
+  name.remove_prefix(name.find_last_of(kBlanks) + 1);
+  const size_t colon = name.rfind(':');
+  const std::string_view prefix = name.substr(0, colon == std::string_view::npos ? 0 : colon);
   const size_t end = std::min(tag.find(tag[quote], quote + 1), tag.size());
   const std::string_view value = tag.substr(quote + 1, end - quote - 1);
   tag.remove_prefix(std::min(end + 1, tag.size()));
-  return XmlAttribute{name, value};
+  return XmlAttribute{prefix, name.substr(colon + 1), value};
 }
 
 // An object of a model by the name of its file, without the first slash, and its id.
@@ -197,9 +200,10 @@ class ComponentScan {
     file_ = std::string(without_slashes(name));
     text_.clear();
     object_ = nullptr;
+    prefixes_.clear();
   }
-  // Returns true if there is text that could hide elements, within comments, declarations or values, or if an
-  // id is no number of 32 bits or occurs twice.
+  // Returns true if there is text that could hide elements, within comments, declarations or values, if an id
+  // is no number of 32 bits or occurs twice, or if the prefix of the production extension has two meanings.
   bool refuses() const { return refuses_; }
   // Returns true if a relationship refers to a model whose name does not end like those that are scanned.
   bool has_other_model() const { return has_other_model_; }
@@ -253,19 +257,34 @@ class ComponentScan {
     std::string_view name = tag.substr(0, end);
     name.remove_prefix(name.find(':') + 1);
     tag.remove_prefix(end);
+    if (tag.find("xmlns:") != std::string_view::npos) add_namespaces(tag);
     if (name == "Relationship" && attribute(tag, "Type").ends_with("3dmodel"))
       has_other_model_ = has_other_model_ || !attribute(tag, "Target").ends_with(kModelEnding);
     if (name == "object") object_ = &objects_[{file_, id(tag, "id")}];
     if (name != "component" || !object_) return;
-    const std::string_view path = without_slashes(attribute(tag, "path"));
+    const std::string_view path = without_slashes(attribute(tag, "path", true));
     object_->push_back({path.empty() ? file_ : std::string(path), id(tag, "objectid")});
   }
 
-  // Returns the value of an attribute, with any prefix; empty if there is none.
-  std::string_view attribute(std::string_view tag, std::string_view name) {
+  void add_namespaces(std::string_view tag) {
+    constexpr std::string_view kProduction =
+        "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
+    while (const auto next = take_attribute(tag)) {
+      if (next->prefix != "xmlns") continue;
+      const bool is_production = next->value == kProduction;
+      const auto known = prefixes_.try_emplace(std::string(next->name), is_production).first;
+      refuses_ = refuses_ || known->second != is_production;
+    }
+  }
+
+  // Returns the value of an attribute of the production extension, or of one without a prefix; empty if there
+  // is none. lib3mf ignores the same names with other prefixes.
+  std::string_view attribute(std::string_view tag, std::string_view name, bool of_production = false) {
     std::optional<std::string_view> value;
     while (const auto next = take_attribute(tag)) {
-      if (next->name != name) continue;
+      const auto known = prefixes_.find(next->prefix);
+      const bool is_of_production = known != prefixes_.end() && known->second;
+      if (next->name != name || !(of_production ? is_of_production : next->prefix.empty())) continue;
       refuses_ = refuses_ || value || next->value.find('&') != std::string_view::npos;
       value = next->value;
     }
@@ -309,6 +328,8 @@ class ComponentScan {
   std::string file_, text_;
   std::map<ObjectKey, std::vector<ObjectKey>> objects_;
   std::map<ObjectKey, Extent> extents_;
+  // By prefix of the current file: true if it is that of the production extension.
+  std::map<std::string, bool, std::less<>> prefixes_;
   std::vector<ObjectKey>* object_ = nullptr;
   bool refuses_ = false, has_other_model_ = false;
 };

@@ -355,8 +355,10 @@ std::string multiplying_model(const std::string& before, const std::string& afte
 }
 
 TEST(ThreeMf, components_that_multiply_are_refused) {
-  for (const char* before : {"objectid=\"", "objectid = '", "objectid=\"00", "objectid=\" +",
-                             "objectid=\x01\"", "m:a=\" objectid='1' \" objectid=\""}) {
+  for (const char* before :
+       {"objectid=\"", "objectid = '", "objectid=\"00", "objectid=\" +", "objectid=\x01\"",
+        "m:a=\" objectid='1' \" objectid=\"", "m:objectid=\"1\" objectid=\"", "path=\"/a.model\" objectid=\"",
+        "m:path=\"/a.model\" objectid=\""}) {
     const std::string after = std::string_view(before).ends_with('\'') ? "'" : "\"";
     const std::string bytes = archive(package(multiplying_model(before, after)));
     EXPECT_NE(refusal(bytes).find("too many components"), std::string::npos) << before;
@@ -365,10 +367,38 @@ TEST(ThreeMf, components_that_multiply_are_refused) {
 
 TEST(ThreeMf, ids_that_are_no_numbers_or_occur_twice_are_refused) {
   for (const char* before :
-       {"m:objectid=\"1\" objectid=\"", "objectid=\"-", "objectid=\"1000000000000", "objectid=\"\v"}) {
+       {"objectid=\"1\" objectid=\"", "objectid=\"-", "objectid=\"1000000000000", "objectid=\"\v"}) {
     const std::string bytes = archive(package(multiplying_model(before)));
     EXPECT_NE(refusal(bytes).find("invalid ids"), std::string::npos) << before;
   }
+}
+
+TEST(ThreeMf, ids_of_other_namespaces_are_ignored) {
+  const std::string text = std::string("<object id=\"1\" xmlns:x=\"http://example.com/x\" x:id=\"a\">") +
+                           kTriangleMesh + "</object>";
+  EXPECT_EQ(read(model("meter", text, "<item objectid=\"1\"/>")).triangles.size(), 1u);
+}
+
+// The object has the id of the component in the other file.
+TEST(ThreeMf, components_of_other_files_are_read) {
+  const std::string component =
+      "<components><component xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+      "p:path=\"/3D/b.model\" objectid=\"1\"/></components>";
+  std::vector<PackedFile> files = package(model("meter", object(1, "", component), "<item objectid=\"1\"/>"));
+  files.push_back(stored("3D/_rels/3dmodel.model.rels", package("", "3D/b.model")[1].content));
+  files.push_back(stored("3D/b.model", model("meter", object(1, "", kTriangleMesh), "")));
+  const auto soup = read_3mf(archive(files), "a.3mf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  EXPECT_EQ(soup->triangles.size(), 1u);
+}
+
+TEST(ThreeMf, prefixes_with_two_meanings_are_refused) {
+  const std::string text =
+      "<a xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\"/>"
+      "<a xmlns:p=\"http://example.com/x\"/>";
+  const std::string bytes =
+      archive(package(model("meter", object(1, "", kTriangleMesh) + text, "<item objectid=\"1\"/>")));
+  EXPECT_NE(refusal(bytes).find("invalid ids"), std::string::npos);
 }
 
 TEST(ThreeMf, models_of_other_names_are_read_if_their_ending_is_usual) {

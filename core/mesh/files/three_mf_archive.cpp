@@ -161,7 +161,7 @@ std::optional<uint64_t> inflate_parts(std::string_view content, uint64_t most, c
   return state == Z_STREAM_END && size <= most ? std::optional(size) : std::nullopt;
 }
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 std::string_view without_slashes(std::string_view path) {
   path.remove_prefix(std::min(path.find_first_not_of('/'), path.size()));
@@ -179,8 +179,8 @@ std::optional<XmlAttribute> take_attribute(std::string_view& tag) {
   const size_t quote = tag.find_first_of("\"'");
   if (quote == std::string_view::npos) return std::nullopt;
   std::string_view name = tag.substr(0, std::min(tag.find('='), quote));
-  name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
-  name.remove_prefix(name.find_last_of(kBlanks) + 1);
+  name = name.substr(0, name.find_last_not_of(kXmlBlanks) + 1);
+  name.remove_prefix(name.find_last_of(kXmlBlanks) + 1);
   const size_t colon = name.rfind(':');
   const std::string_view prefix = name.substr(0, colon == std::string_view::npos ? 0 : colon);
   const size_t end = std::min(tag.find(tag[quote], quote + 1), tag.size());
@@ -294,8 +294,8 @@ class ComponentScan {
   // Likewise for a number, which may have zeros and blanks before it; 0 if there is none.
   uint32_t id(std::string_view tag, std::string_view name) {
     std::string_view text = attribute(tag, name);
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    text = text.substr(0, text.find_last_not_of(kBlanks) + 1);
+    text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
+    text = text.substr(0, text.find_last_not_of(kXmlBlanks) + 1);
     if (text.empty()) return 0;
     const int64_t number = parse_integer(text).value_or(-1);
     const bool fits = number >= 0 && number <= std::numeric_limits<uint32_t>::max();

@@ -158,7 +158,7 @@ class MoveSearch {
 Result<nlohmann::ordered_json> step_json(OpenedFile file, size_t number, const Progress* progress) {
   KERF_ASSERT(number > 0);
   const double diagonal = file.scene.world.bounds().diagonal();
-  Document document = document_to_replay(file);
+  Document document = document_of(std::move(file.scene.world), file.scene);
   MoveSearch moves(document, number);
   const auto run = [&](const std::vector<Command>& commands) -> Result<bool> {
     for (const Command& command : commands) {
@@ -229,7 +229,7 @@ Status cut_all(const std::vector<StrokePath>& strokes, Document& document) {
 Result<Document> load_document(const std::filesystem::path& file, FileUnit unit) {
   auto work = load_file(file, unit);
   if (!work) return work.error();
-  Document document = document_to_replay(*work);
+  Document document = document_of(std::move(work->scene.world), work->scene);
   if (const Status cut = cut_all(work->scene.strokes, document); !cut) return error_or_stopped(cut.error());
   if (const Status run = replay_all(work->journal, document); !run) return error_or_stopped(run.error());
   return document;

@@ -108,7 +108,7 @@ class ReplayRun {
       if (const auto s = folder.make(); !s) return s;
     }
     if (const auto s = begin_film(); !s) return s;
-    Document document = document_to_replay(work_);
+    Document document = document_of(std::move(work_.scene.world), work_.scene);
     Replay replay(work_.journal, document);
     if (const auto s = run_queue(replay, document); !s) return s;
     const uint64_t hash = state_hash(document.world());

@@ -228,7 +228,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   to.scene.strokes.clear();  // which are commands of the document
   Document& document = to.document;
   const size_t window = document.history().window();
-  document = document_to_replay(*file);
+  document = document_of(std::move(file->scene.world), file->scene);
   document.set_window(window);
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();

@@ -68,9 +68,8 @@ std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least) {
   return skips;
 }
 
-Document document_to_replay(OpenedFile& file) {
-  const SceneDescription& scene = file.scene;
-  return Document(std::move(file.scene.world), [scene](const Progress* progress) -> Result<World> {
+Document document_of(World world, const SceneDescription& scene) {
+  return Document(std::move(world), [scene](const Progress* progress) -> Result<World> {
     auto again = load_scene(scene, progress);
     if (!again) return again.error();
     return std::move(again->world);

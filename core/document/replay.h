@@ -21,9 +21,9 @@ struct TimeSkip {
 // end of the history step, or at a full minute (see CommandQueue::kTicksToForget).
 std::vector<TimeSkip> time_skips(const Journal& journal, Ticks least);
 
-// Moves the world of an opened file into a document. To undo a step whose before-images were discarded, as a
+// Returns a document of the loaded world of a scene. To undo a step whose before-images were discarded, as a
 // journal may require, the document loads the scene again and replays.
-Document document_to_replay(OpenedFile& file);
+Document document_of(World world, const SceneDescription& scene);
 
 // Applies the commands of a journal to a document with the journal's scene, and compares the state of the
 // world with each mark. The journal and the document must outlive the replay.

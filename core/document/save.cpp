@@ -67,7 +67,7 @@ std::string text_of_gltf(const fs::path& file) {
   return in ? text : "";
 }
 
-// The folder of the files to which a mesh file refers.
+// Returns the folder in which the other files of a mesh file lie.
 fs::path folder_of_parts(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
 // The files that a glTF file refers to; none if it cannot be read.
@@ -88,7 +88,7 @@ std::vector<fs::path> files_of_gltf(const fs::path& file) {
   return files;
 }
 
-// The texture that the header of a PLY file names in a comment; none if it names no file.
+// Returns the texture that a comment in the header of a PLY file names, if any.
 std::vector<fs::path> files_of_ply(const fs::path& file) {
   constexpr std::string_view kKeyword = "TextureFile", kBlanks = " \t", kLineEnds = "\r\n";
   std::string header(size_t{1} << 16, '\0');

@@ -421,7 +421,7 @@ Status film_cut(const std::filesystem::path& journal, const FilmFormat& format, 
   if (!options) return options.error();
   auto film = Film::begin(work->scene, {*options, format.frames_per_second, format.folder});
   if (!film) return film.error();
-  Document document = document_to_replay(*work);
+  Document document = document_of(std::move(work->scene.world), work->scene);
   Replay replay(work->journal, document);
   QueueRun how;
   how.moves_a_step = 1;

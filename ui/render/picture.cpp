@@ -90,7 +90,7 @@ Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& option
   auto opened = OffscreenRenderer::open(work.scene, options);
   if (!opened) return opened.error();
   const auto renderer = std::make_shared<OffscreenRenderer>(std::move(*opened));
-  const auto kept = std::make_shared<Document>(document_to_replay(work));
+  const auto kept = std::make_shared<Document>(document_of(std::move(work.scene.world), work.scene));
   Document& document = *kept;
   std::optional<Pose> beam;
   const auto follow = [&](const StepResult* step) {

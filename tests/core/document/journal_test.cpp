@@ -291,7 +291,7 @@ TEST_F(JournalFile, replays_undone_steps_whose_images_were_discarded) {
   auto opened = open_journal(file());
   ASSERT_TRUE(opened.ok()) << opened.error().message;
   const uint64_t uncut = state_hash(opened->scene.world);
-  Document document = document_to_replay(*opened);
+  Document document = document_of(std::move(opened->scene.world), opened->scene);
   document.set_window(0);
   ASSERT_TRUE(Replay(opened->journal, document).run({}).ok());
   EXPECT_EQ(document.history().position(), 0u);

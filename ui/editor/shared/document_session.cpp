@@ -127,16 +127,6 @@ std::string notes_of(const World& world) {
   return "";
 }
 
-Document document_of(World world, const SceneDescription& scene, size_t history_bytes) {
-  Document document(std::move(world), [scene](const Progress* progress) -> Result<World> {
-    Result<Scene> again = load_scene(scene, progress);
-    if (!again) return again.error();
-    return std::move(again->world);
-  });
-  document.set_window(history_bytes);
-  return document;
-}
-
 // Prepares the shading of bodies with a new mesh as long as they are uncut.
 void shade_created(const Delta& delta, LoadedFiles& loaded) {
   const World& world = loaded.document.world();
@@ -303,7 +293,8 @@ Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, Load
   if (!prepared) return prepared.error();
   loaded.prepared = std::move(*prepared);
   if (scene.world.live_faces() <= Document::kMaxFacesToCopy) loaded.as_loaded = scene.world;
-  loaded.document = document_of(std::move(scene.world), loaded.scene, loaded.order.history_bytes);
+  loaded.document = document_of(std::move(scene.world), loaded.scene);
+  loaded.document.set_window(loaded.order.history_bytes);
   if (!uncut) set_task("recutting");
   const AfterStep after_step = shown_by(uncut ? nullptr : news, loaded);
   after_step({});

@@ -127,7 +127,9 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
+    app.exit(asked);
+    const kerf::Status written = kerf::flush_output();
+    return written ? 0 : report_error(written.error());
   } catch (const CLI::ParseError& wrong) {
     return report_error(parse_error(app, wrong));
   }

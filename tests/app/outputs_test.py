@@ -218,7 +218,7 @@ class Outputs(unittest.TestCase):
     def test_results_that_cannot_be_written_are_a_failure(self):
         self.cut("plate.obj", "--path", "once.json", "--out", "out", "--journal", "j.kerf")
         for args in (["replay", "j.kerf"], ["info", "plate.obj"], ["materials"], ["inspect", "plate.obj", "--tree"],
-                     ["compare", "plate.obj", "plate.obj"]):
+                     ["compare", "plate.obj", "plate.obj"], ["--version"], ["help"], ["cut", "--help"]):
             done = self.kerf(*args, limit="exec >/dev/full")
             self.assertEqual((done.returncode, done.stderr), (1, "kerf: cannot write to standard output\n"), args)
 

@@ -4,7 +4,8 @@
 Each case, made from a seed, runs twice: as it is, and with KERF_SHUFFLE, which lists the results of queries in random
 order, rebuilds trees in other shapes and processes 1, 17, 128 or 3,000 faces together, on 1, 2 or 7 threads. Hashes and
 files have to be equal. Cases are random strokes of all schemes, rims and models through sheets and solids, with pieces
-that fall, replayed journals with undo and redo, and matches. KERF_LONG=1 runs a thousand cases instead of twenty.
+that fall, replayed journals with undo and redo, and matches. KERF_LONG=1 runs a thousand cases instead of twenty quick
+ones.
 """
 import filecmp
 import json
@@ -114,8 +115,8 @@ def compare_matches(rng, shuffled, folder):
 
 
 def main():
-    cases = 1000 if os.environ.get("KERF_LONG") else 20
-    for seed in range(1, cases + 1):
+    seeds = range(1, 1001) if os.environ.get("KERF_LONG") else range(13, 33)
+    for seed in seeds:
         rng = random.Random(seed)
         kind = {3: compare_replays, 7: compare_replays, 9: compare_matches}.get(seed % 10, compare_cuts)
         shuffled = str(seed), rng.choice(["1", "2", "7"])
@@ -124,7 +125,7 @@ def main():
             if not equal:
                 sys.exit(f"seed {seed}: another result with KERF_SHUFFLE={shuffled[0]} KERF_THREADS={shuffled[1]}: "
                          f"kerf {' '.join(arguments)}")
-    print(f"{cases} cases with equal results")
+    print(f"{len(seeds)} cases with equal results")
 
 
 if __name__ == "__main__":

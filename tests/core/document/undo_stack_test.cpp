@@ -93,7 +93,7 @@ TEST(UndoStack, reading_the_state_before_a_stroke_does_not_affect_the_stroke) {
       }
       while (inspected.waiting() > 0) {
         ASSERT_TRUE(inspected.step(1).ok());
-        if (random.below(4) != 0) continue;
+        if (random.below(40) != 0) continue;
         const auto then = inspected.before_last_stroke();
         ASSERT_TRUE(then.has_value());
         EXPECT_EQ(state_hash(*then), state_hash(before));

@@ -23,9 +23,10 @@ constexpr float kOwnTextPixels = 13;  // design size of ImGui's own font
 constexpr float kLarge = 2;           // size of the large font, in that of the text
 constexpr float kSharpPixels = 36;    // from this size on, glyphs look alike at all fractions of a pixel
 
-// Latin, Greek, Cyrillic, punctuation and currencies: the text font draws names of files and pieces. The
-// large font draws only texts of Kerf itself.
-constexpr ImWchar kRanges[] = {0x20, 0x24f, 0x370, 0x52f, 0x1e00, 0x1eff, 0x2000, 0x206f, 0x20a0, 0x20bf, 0};
+// Latin, Greek, Cyrillic, punctuation, currencies and letterlike signs: the text font draws names of files
+// and pieces. The large font draws only texts of Kerf itself.
+constexpr ImWchar kRanges[] = {0x20,   0x24f,  0x370,  0x52f,  0x1e00, 0x1eff, 0x2000,
+                               0x206f, 0x20a0, 0x20bf, 0x2100, 0x214f, 0};
 
 // The atlas of both fonts has 1024x1024 pixels at scale 1 and 4096x4096 at scale 8.
 ImFont* add_font(ImFontAtlas& fonts, const char* file, float pixels, const ImWchar* ranges) {

@@ -62,8 +62,8 @@ std::string time_text(std::filesystem::file_time_type time) {
   std::tm parts{};
   localtime_r(&seconds, &parts);
   std::array<char, 64> text{};
-  std::strftime(text.data(), text.size(), "%e %B %Y, %H:%M", &parts);
-  return text.data();
+  std::strftime(text.data(), text.size(), " %B %Y, %H:%M", &parts);
+  return std::to_string(parts.tm_mday) + text.data();
 }
 
 std::string name_of(const RecoverableDocument& left) {

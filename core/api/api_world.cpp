@@ -201,11 +201,14 @@ Status replay_journal(const Journal& journal, kerf_world& world, const Progress&
     const size_t i = replay.applied() - 1;
     const Command& command = journal.commands[i];
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
-      // A stroke that is undone next is not executed, but replaces the steps that could be redone.
-      const auto begins = [](const Command& c) { return std::holds_alternative<BeginStroke>(c); };
+      // Strokes that are undone next are not executed, but replace the steps that could be redone.
+      const auto begins = [](const Command& c) {
+        return std::holds_alternative<BeginStroke>(c) || std::holds_alternative<Recut>(c);
+      };
       const size_t position = world.document.history().position();
-      if (followed < i && std::any_of(&journal.commands[followed], &command, begins))
-        world.kept.resize(std::min(world.kept.size(), position + 1));
+      const auto begun = static_cast<size_t>(
+          followed < i ? std::count_if(&journal.commands[followed], &command, begins) : 0);
+      if (begun > 0) world.kept.resize(std::min(world.kept.size(), position + 2 - begun));
       world.restore();
     } else if (std::holds_alternative<AddMesh>(command)) {
       record_added(world, journal.commands, i, step->delta);

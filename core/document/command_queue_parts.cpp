@@ -248,7 +248,7 @@ bool CommandQueue::give_up(size_t step, bool stopped) {
   pending_.drop_strokes(step);
   if (stopped) pending_.clear();
   if (recorder_.step() == step) close();
-  if (history_.step(step).images() != HistoryStep::Images::kHeld) {
+  if (history_.step(step).images() == HistoryStep::Images::kDiscarded) {
     finish(step);
     return false;
   }

@@ -22,6 +22,11 @@ HistoryStep step_begun_by(const Command& first, const World& world, size_t numbe
   return step;
 }
 
+// Returns true if before-images can restore the world at the start of a step.
+bool can_run_again(const UndoStack& steps, size_t step) {
+  return steps.holds_images(steps.base_of(step), step);
+}
+
 }  // namespace
 
 Outcome Document::apply(const Command& command, const Progress* progress) {
@@ -147,6 +152,9 @@ void Document::give_up(size_t step, bool stopped) {
   if (!queue_.give_up(step, stopped) || !stopped) return;
   for (size_t i = history().position(); i > step; --i) journal_.append(Undo{});
   queue_.history().set_position(step);
+  // A recut has undone the step before it without keeping its images.
+  const bool again = step > 0 && history().last().waiting() && !queue_.pending().holds(step - 1);
+  if (again && can_run_again(history(), step - 1)) queue_.run_again();
 }
 
 Outcome Document::finish(const Progress* progress) {
@@ -236,11 +244,6 @@ namespace {
 // the world. Slots are never reused, and ids name them: they must not depend on the progress of a step.
 bool bodies_move_in(const std::vector<Command>& commands) {
   return std::any_of(commands.begin(), commands.end(), moves_bodies);
-}
-
-// Returns true if before-images can restore the world at the start of a step.
-bool can_run_again(const UndoStack& steps, size_t step) {
-  return steps.holds_images(steps.base_of(step), step);
 }
 
 bool has_only_a_few_ticks(const CommandQueue& queue) {

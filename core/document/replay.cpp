@@ -99,15 +99,35 @@ size_t Replay::end_of_stopped() {
   return is_a<StopStroke>(end_of_moves_) ? end_of_moves_ + 1 : next_ + 1;
 }
 
-// A stroke that is undone next is not executed either, unless a mark records its result: it may have been
-// given up because it exceeded the face budget.
-size_t Replay::end_of_undone() const {
-  if (!is_a<BeginStroke>(next_)) return next_ + 1;
-  size_t end = next_ + 1;
-  while (is_a<MoveBeam>(end)) ++end;
-  if (is_a<EndStroke>(end)) ++end;
-  const bool marked = next_mark_ < journal_.marks.size() && journal_.marks[next_mark_].commands <= end;
-  return is_a<Undo>(end) && !marked ? end + 1 : next_ + 1;
+// Strokes and recuts that are undone directly afterwards are not executed either, unless a mark records their
+// result: they may have been given up because they exceeded the face budget.
+size_t Replay::end_of_undone() {
+  if (next_ >= cuts_end_) find_undone();
+  return next_ == undone_begin_ ? undone_end_ : next_ + 1;
+}
+
+// Finds the strokes and recuts that begin at the next command and follow each other, and which of them are
+// undone behind the last.
+void Replay::find_undone() {
+  std::vector<size_t> begins;
+  size_t end = next_;
+  while (is_a<BeginStroke>(end) || is_a<Recut>(end)) {
+    begins.push_back(end++);
+    while (is_a<MoveBeam>(end)) ++end;
+    if (is_a<EndStroke>(end)) ++end;
+  }
+  cuts_end_ = undone_begin_ = undone_end_ = end;
+  if (begins.empty()) return;
+  size_t first = begins.size(), mark = next_mark_;
+  while (first > 0 && is_a<Undo>(end + begins.size() - first)) --first;
+  for (; mark < journal_.marks.size() && journal_.marks[mark].commands <= end; ++mark) {
+    while (first < begins.size() && begins[first] < journal_.marks[mark].commands) ++first;
+  }
+  const size_t behind = end + begins.size() - first;
+  const bool marked = mark < journal_.marks.size() && journal_.marks[mark].commands < behind;
+  if (first == begins.size() || marked) return;
+  undone_begin_ = begins[first];
+  undone_end_ = behind;
 }
 
 // Reports the changes of an immediate command; the work of a queued one is reported by its steps.
@@ -127,8 +147,11 @@ Status Replay::next(const QueueRun& how) {
   if (next_skip_ < skips_.size() && skips_[next_skip_].first == next_) return skip(how, skips_[next_skip_]);
   const size_t end = next_ < journal_.commands.size() ? std::max(end_of_stopped(), end_of_undone()) : next_;
   while (next_ < end) {
+    const bool adds_mesh = is_a<AddMesh>(next_);
     Outcome outcome = document_.apply(journal_.commands[next_++], how.progress);
     document_.seal_journal();  // to keep the commands and their indices equal
+    // Without the mesh, later commands would undo other steps and concern other bodies.
+    if (adds_mesh && !outcome.ok()) return outcome.error();
     if (const Status status = report(how, std::move(outcome)); !status) return status;
   }
   const Status ran = run_queue(document_, how);

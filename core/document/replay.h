@@ -43,7 +43,8 @@ class Replay {
 
   // Applies the next command, executes the queue (see run_queue) and calls `told` after each step, and also
   // for the changes of an immediate command. A failed command or step does not end the replay if `told`
-  // returns success, because it also failed when the journal was recorded. Precondition: !done().
+  // returns success, because it also failed when the journal was recorded; a mesh file that cannot be read
+  // does. Precondition: !done().
   Status next(const QueueRun& how);
   // Replays the remaining commands. Reports fraction() to QueueRun::progress. Fails like run_queue().
   Status run(const QueueRun& how);
@@ -75,7 +76,8 @@ class Replay {
     return command < journal_.commands.size() && std::holds_alternative<Kind>(journal_.commands[command]);
   }
   size_t end_of_stopped();
-  size_t end_of_undone() const;
+  size_t end_of_undone();
+  void find_undone();
   Status report(const QueueRun& how, Outcome outcome) const;
   Status skip(const QueueRun& how, const TimeSkip& skip);
   void compare();
@@ -85,6 +87,9 @@ class Replay {
   Document& document_;
   size_t next_ = 0, next_mark_ = 0;
   size_t end_of_moves_ = 0;  // the first command from next_ + 1 on that does not continue a stroke, if known
+  size_t cuts_end_ = 0;      // the end of strokes and recuts that follow each other
+  size_t undone_begin_ = 0,
+         undone_end_ = 0;  // those of them that are undone behind the last, and their Undos
   std::optional<Difference> difference_;
   std::string other_machine_;
   bool cut_otherwise_ = false, looks_differ_ = false;

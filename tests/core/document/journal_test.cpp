@@ -286,7 +286,7 @@ TEST_F(JournalFile, replays_undone_steps_whose_images_were_discarded) {
   std::vector<Command> commands = stroke(0.1);
   const auto second = stroke(-0.1);
   commands.insert(commands.end(), second.begin(), second.end());
-  commands.insert(commands.end(), {Undo{}, Undo{}});
+  commands.insert(commands.end(), {HidePiece{{BodyId{0, 0}, 0}}, Undo{}, Undo{}, Undo{}});
   save(commands);
   auto opened = open_journal(file());
   ASSERT_TRUE(opened.ok()) << opened.error().message;
@@ -301,6 +301,21 @@ TEST_F(JournalFile, replays_undone_steps_whose_images_were_discarded) {
   ASSERT_TRUE(document.apply(Redo{}).ok());
   ASSERT_TRUE(run_all(document).ok());
   EXPECT_FALSE(document.apply(Undo{}).ok());
+}
+
+TEST_F(JournalFile, without_the_file_of_an_added_mesh_does_not_replay) {
+  std::vector<Command> commands = stroke(0.1);
+  commands.push_back(AddMesh{folder_ / "removed.obj", "removed"});
+  commands.insert(commands.end(), {Undo{}, Undo{}});
+  save(commands);
+  const Journal journal = read();
+  Document document(world_of(plate(1)));
+  Replay replay(journal, document);
+  QueueRun how;
+  how.told = [](const Result<StepResult>&) -> Status { return Done{}; };
+  const Status done = replay.run(how);
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().message.find("removed.obj"), std::string::npos) << done.error().message;
 }
 
 TEST_F(JournalFile, stores_a_recut_stroke) {

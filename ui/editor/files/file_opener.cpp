@@ -56,9 +56,8 @@ bool lasts_as_saved(const std::vector<Command>& journal, size_t saved) {
 constexpr double kBetweenTries = 1;  // s
 
 std::string time_text(std::filesystem::file_time_type time) {
-  const auto system = std::chrono::file_clock::to_sys(time);
   const std::time_t seconds = std::chrono::system_clock::to_time_t(
-      std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+      std::chrono::floor<std::chrono::seconds>(std::chrono::file_clock::to_sys(time)));
   std::tm parts{};
   localtime_r(&seconds, &parts);
   std::array<char, 64> text{};
@@ -674,7 +673,8 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
   }
   if (left) {
     const Recovery::Time now{workspace_.screen.clock->seconds()};
-    if (opened && recovery_.follow(workspace_.session, workspace_.view, false, now, workspace_.message))
+    const bool whole = opened && (order.left->damage.empty() || order.left->torn);
+    if (whole && recovery_.follow(workspace_.session, workspace_.view, false, now, workspace_.message))
       workspace_.opening.recoverable.front().file.remove();
     workspace_.opening.recoverable.clear();  // the rest is offered at the next start
   } else if (opened) {

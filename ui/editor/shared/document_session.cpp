@@ -153,17 +153,20 @@ Status end_stroke(Document& document, const QueueRun& how) {
   return run_queue(document, how);
 }
 
-// Returns true at the end of the journal. A step that fails here also failed in the recording.
-bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
-                const AfterStep& after_step) {
+// Fails if it was stopped, or if the file of an added mesh cannot be read. A step that fails here also failed
+// in the recording.
+Status replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
+                  const AfterStep& after_step) {
   Replay replay(journal, loaded.document, time_skips(journal, kTicksToSkip));
   QueueRun how;
   how.told = [&](const Result<StepResult>& step) -> Status {
     return after_step(step ? step->delta : Delta{}), Done{};
   };
   how.progress = &progress;
-  if (!replay.run(how)) return false;
-  if (loaded.order.left && !end_stroke(loaded.document, how)) return false;
+  if (const Status ran = replay.run(how); !ran) return ran;
+  if (loaded.order.left) {
+    if (const Status ended = end_stroke(loaded.document, how); !ended) return ended;
+  }
   loaded.marks = journal.marks;
   loaded.damaged = !journal.damage.empty();
   if (loaded.damaged) {
@@ -179,7 +182,7 @@ bool replay_all(const Journal& journal, LoadedFiles& loaded, const Progress& pro
   } else if (replay.skipped() > 0) {
     loaded.skipped = replay.skipped();
   }
-  return true;
+  return Done{};
 }
 
 Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& progress,
@@ -192,8 +195,7 @@ Status cut_all(const Journal& journal, LoadedFiles& loaded, const Progress& prog
   const Status cut = cut_strokes(loaded.document, loaded.scene.strokes, told, &strokes);
   if (stopped) return cancelled();
   if (!cut) loaded.fault = cut.error().message;
-  if (!replay_all(journal, loaded, commands, after_step)) return cancelled();
-  return Done{};
+  return replay_all(journal, loaded, commands, after_step);
 }
 
 // Records a fault in `loaded`; fails only if stopped.

@@ -516,7 +516,7 @@ void EditorScreen::took(const FrameTime& time) {
   const ImVec2 at = ImGui::GetIO().MousePos;
   landmarks_.mark(workspace_.view.layout);
   if (is_popup_open()) landmarks_.mark("popup", {{at.x, at.y}, Vec2(1)});
-  for (const auto& feature : features_) feature->add_landmarks(landmarks_);
+  for (size_t i = 0; i < features_.size() && !thread_.busy(); ++i) features_[i]->add_landmarks(landmarks_);
   if (const Status written = landmarks_.finish(moving(), {at.x, at.y}); !written)
     workspace_.message.error(written.error().message);
 }

@@ -29,13 +29,14 @@ std::vector<size_t> commands_done(std::span<const Command> journal) {
     }
     std::optional<HistoryStep::Kind> last;
     if (position > 0) last = history_step_kind(journal[steps[position - 1].front()], std::nullopt);
-    if (position == 0 || history_step_kind(journal[i], last)) {
-      steps.resize(position);
+    const bool begins = position == 0 || history_step_kind(journal[i], last);
+    // A StopStroke keeps the undone steps; time that continues a step drops them.
+    if (begins || history_step_kind(journal[i], std::nullopt)) steps.resize(position);
+    if (begins) {
       steps.emplace_back();
       ++position;
     }
-    steps.resize(position);
-    steps.back().push_back(i);
+    steps[position - 1].push_back(i);
   }
   steps.resize(position);
   std::vector<size_t> done;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <random>
 #include <string>
 
@@ -167,6 +168,27 @@ TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
     opened.save_journal(file);
     EXPECT_EQ(World(file).hash(), hash);
   }
+}
+
+TEST(History, a_journal_with_a_stroke_redone_after_a_stop_is_saved_completely) {
+  World world;
+  world.add(sheet(10));
+  world.cut(across(0.3));
+  world.cut(across(0.7));
+  const std::string file = testing::TempDir() + "kerf-stopped.kerf";
+  world.save_journal(file);
+  std::ofstream(file, std::ios::app) << R"({"do":"undo"})" << '\n'
+                                     << R"({"do":"stop-stroke","moves":1.5})" << '\n'
+                                     << R"({"do":"redo"})" << '\n';
+  World opened(file);
+  EXPECT_EQ(opened.pieces().size(), 2u) << "the first stroke ends in the sheet, the second crosses it";
+  for (const double x : {0.5, 0.9}) {
+    opened.save_journal(file);
+    EXPECT_EQ(World(file).hash(), opened.hash());
+    opened.cut(across(x));
+  }
+  opened.save_journal(file);
+  EXPECT_EQ(World(file).hash(), opened.hash());
 }
 
 TEST(History, undo_restores_the_rest_of_a_tick) {

@@ -55,7 +55,8 @@ typedef uint64_t kerf_body;
 KERF_API kerf_result kerf_world_create(kerf_world** out);
 
 /* Creates a world from a file.
- * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.
+ * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh. An incomplete last
+ *   line of a journal is ignored.
  * Errors: KERF_INVALID_ARGUMENT for an invalid file. Cost: loading the meshes and replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out);
 

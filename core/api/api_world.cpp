@@ -227,6 +227,8 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
   auto file = open_file(path, &opening);
   if (!file) return file.error();
+  const Journal& journal = file->journal;
+  if (!journal.damage.empty() && !journal.torn) return bad_input(journal.damage);
   to.scene = file->scene;
   to.scene.strokes.clear();  // which are commands of the document
   Document& document = to.document;
@@ -240,7 +242,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
     if (!cut) return cut.error();
   }
-  if (const Status replayed = replay_journal(file->journal, to, replaying); !replayed) return replayed;
+  if (const Status replayed = replay_journal(journal, to, replaying); !replayed) return replayed;
   document.drop_origin();  // the files may change later
   return Done{};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -189,6 +190,28 @@ TEST(History, a_journal_with_a_stroke_redone_after_a_stop_is_saved_completely) {
   }
   opened.save_journal(file);
   EXPECT_EQ(World(file).hash(), opened.hash());
+}
+
+TEST(History, a_damaged_journal_is_refused_and_an_incomplete_last_line_ignored) {
+  World world;
+  world.add(sheet(10));
+  world.cut(across(0.3));
+  const std::string file = testing::TempDir() + "kerf-damaged.kerf";
+  world.save_journal(file);
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  std::ofstream(file) << text << R"({"do":"un)";
+  EXPECT_EQ(World(file).hash(), world.hash());
+  const size_t second_line = text.find('\n') + 1;
+  std::ofstream(file) << text.substr(0, second_line) << R"({"do":"explode"})" << '\n'
+                      << text.substr(second_line);
+  try {
+    const World opened(file);
+    ADD_FAILURE() << "opened with " << opened.pieces().size() << " pieces";
+  } catch (const InvalidArgument& fault) {
+    EXPECT_NE(std::string(fault.what()).find("kerf-damaged.kerf: line 2: "), std::string::npos)
+        << fault.what();
+  }
 }
 
 TEST(History, undo_restores_the_rest_of_a_tick) {

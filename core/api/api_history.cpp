@@ -49,6 +49,7 @@ kerf_result travel(kerf_world* world, const Command& command, int* done) {
     };
     const Status ran = outcome.ok() ? run_queue(document, run) : Status(outcome.error());
     world->changes.record(document.world(), outcome.delta);
+    world->changes.on_undo(document.history().position());
     world->restore();
     if (!ran) return ran;
     if (done != nullptr) *done = document.history().position() != before;

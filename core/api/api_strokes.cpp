@@ -74,6 +74,7 @@ Status cancel_stroke(kerf_world& world, RunningStroke& stroke) {
   const bool exists = world.document.history().position() > stroke.position;
   const Outcome back = exists ? world.document.cancel_stroke() : Outcome();
   world.changes.record(world.document.world(), back.delta);
+  world.changes.on_undo(world.document.history().position());
   world.job = std::move(stroke.before);
   world.settings = std::move(stroke.settings_before);
   leave_stroke(world);

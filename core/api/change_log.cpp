@@ -42,6 +42,12 @@ uint32_t flags_of(const Delta& bodies, BodyId id) {
   return flags;
 }
 
+// Returns the number of complete steps: a stroke that is cut in steps is not complete.
+size_t complete_steps(const UndoStack& history) {
+  const size_t position = history.position();
+  return position > 0 && !history.last().done() ? position - 1 : position;
+}
+
 // Returns the piece from which a piece was cut off in the steps from `first` on.
 uint32_t origin_of(const UndoStack& history, size_t first, const PieceId& piece) {
   for (size_t i = history.position(); i-- > first;) {
@@ -196,7 +202,7 @@ kerf_changes ChangeLog::take(const Document& document) {
     for (const Detached& d : detached)
       detached_.push_back({to_api(d.from), to_api(d.to), d.label, d.keeps_slots});
   }
-  position_ = document.history().position();
+  position_ = complete_steps(document.history());
   changes.body_count = views_.size();
   changes.bodies = views_.data();
   changes.detached_count = detached_.size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -22,6 +23,8 @@ class ChangeLog {
   void record(const World& world, const Delta& delta);
   // Makes the next take() report that everything changed.
   void lose() { everything_ = true; }
+  // Records that the history returned to a position: the steps from there on are not those of the last take.
+  void on_undo(size_t position) { position_ = std::min(position_, position); }
 
   // Returns the changes since the last take; they refer to memory of this object, valid until the next take.
   // O(c log c) for c changed faces, plus the pieces of the changed bodies.
@@ -50,7 +53,8 @@ class ChangeLog {
   std::map<BodyId, Touched> touched_;
   Delta bodies_;                                  // without faces
   std::map<BodyId, std::vector<uint32_t>> live_;  // labels of pieces with faces at the last take, ascending
-  size_t position_ = 0;                           // of the history at the last take
+  // Position of the history up to which all steps were complete at the last take and have not been undone.
+  size_t position_ = 0;
   std::vector<Answer> answers_;
   std::vector<kerf_body_changes> views_;
   std::vector<kerf_detached> detached_;

@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 #include <span>
+#include <vector>
 
 #include "core/kerf.h"
 #include "tests/api/sheets.h"
@@ -167,6 +168,46 @@ TEST(Changes, pieces_are_created_and_destroyed) {
   EXPECT_EQ(changes.detached->from, body);
   EXPECT_EQ(changes.detached->to, now);
   EXPECT_EQ(changes.detached->piece, piece);
+}
+
+// Returns the origins of all pieces that are new since the last call.
+std::vector<uint32_t> origins_of_new_pieces(World& world) {
+  const Changes changes = world.take_changes();
+  std::vector<uint32_t> origins;
+  for (const kerf_body_changes& b : std::span(changes.bodies, changes.body_count)) {
+    for (const kerf_new_piece& piece : std::span(b.new_pieces, b.new_piece_count))
+      origins.push_back(piece.from);
+  }
+  return origins;
+}
+
+TEST(Changes, a_piece_that_a_stroke_in_steps_cuts_off_has_its_origin) {
+  World world;
+  world.add(sheet(4));
+  (void)world.take_changes();
+  world.begin_stroke(through_the_middle(), {.target_edge = 0.05});
+  world.end_stroke();
+  std::vector<uint32_t> origins;
+  size_t steps = 0;
+  for (bool finished = false; !finished; ++steps) {
+    finished = world.step_stroke(0, 0).is_finished;
+    const std::vector<uint32_t> more = origins_of_new_pieces(world);
+    if (steps == 0) EXPECT_TRUE(more.empty());
+    origins.insert(origins.end(), more.begin(), more.end());
+  }
+  EXPECT_GT(steps, 2u);
+  ASSERT_FALSE(origins.empty());
+  EXPECT_EQ(origins.front(), 0u);
+}
+
+TEST(Changes, a_piece_that_is_cut_off_after_an_undo_has_its_origin) {
+  World world;
+  const BodyId body = world.add(sheet(20));
+  world.rename(body, 0, "plate");
+  (void)world.take_changes();
+  EXPECT_TRUE(world.undo());
+  world.cut(through_the_middle());
+  EXPECT_EQ(origins_of_new_pieces(world), std::vector<uint32_t>{0});
 }
 
 TEST(Changes, a_detached_piece_keeps_the_order_of_its_faces) {

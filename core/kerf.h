@@ -323,7 +323,6 @@ inline kerf_cut_settings to_c(const CutSettings& settings) {
 }
 
 using CutResult = kerf_cut_result;
-
 using StrokeProgress = kerf_stroke_progress;
 using Changes = kerf_changes;
 
@@ -407,6 +406,13 @@ class World {
     kerf_body_info info = KERF_BODY_INFO_INIT;
     check(kerf_body_get_info(get(), body, &info));
     return info;
+  }
+  // Returns a copy of the name of a body, also for a world that other threads may change. Throws likewise.
+  std::string name(BodyId body) const {
+    char* text = nullptr;
+    check(kerf_body_get_name(get(), body, &text));
+    const std::unique_ptr<char, void (*)(char*)> owner(text, kerf_text_free);
+    return text;
   }
   // Returns the indices of the faces of a body, ascending. Throws InvalidArgument if there is none. O(faces).
   std::vector<uint32_t> faces(BodyId body) const {
@@ -499,8 +505,7 @@ class World {
   }
 
   // Cuts all visible bodies, or those of the settings, with strokes, in order, all or nothing; see
-  // kerf_world_cut.
-  // Throws InvalidArgument for an invalid stroke or setting, or if the world has no mesh;
+  // kerf_world_cut. Throws InvalidArgument for an invalid stroke or setting, or if the world has no mesh;
   // Error if a body would exceed the maximum number of faces; Cancelled; Busy. About 1 us per created or
   // removed face.
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
@@ -560,8 +565,7 @@ class World {
   // Finds the first surface that each ray crosses.
   // origins, directions: three numbers per ray; finite, directions of any non-zero length.
   // range: minimum and maximum distance (m).
-  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. About 0.4 us per
-  // ray.
+  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. About 0.4 us a ray.
   Hits nearest_hits(std::span<const double> origins, std::span<const double> directions,
                     std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                     const CallOptions& options = {}) const {
@@ -602,15 +606,13 @@ class World {
     });
   }
 
-  // Writes the visible bodies as OBJ files, or Kerf meshes (see kerf_world_save_scene), and a scene.json for
-  // the editor.
+  // Writes the visible bodies as meshes, and a scene.json for the editor; see kerf_world_save_scene.
   // folder: created if missing.
   // Throws InvalidArgument if no face is visible, Error if a file cannot be written. O(n log n).
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
   // Writes the journal of all commands that are not undone, which `kerf replay` verifies, and the added
-  // meshes next to it.
-  // path: a .kerf file.
+  // meshes next to it. path: a .kerf file.
   // Throws InvalidArgument if the world has no mesh, or if path names a folder, device or pipe; Error if a
   // file cannot be written. O(n log n).
   void save_journal(const std::string& path) const { check(kerf_world_save_journal(get(), path.c_str())); }

@@ -91,7 +91,7 @@ KERF_API kerf_result kerf_world_add(kerf_world* world, const kerf_mesh* mesh, co
 /* Properties of a body. */
 typedef struct kerf_body_info {
   size_t size;
-  const char* name;      /* valid until the world changes */
+  const char* name;      /* valid until the world changes; see kerf_body_get_name */
   const char* material;  /* a name from `kerf materials`; null for any other; static */
   double position[3];    /* m; x_world = orientation * x_body + position */
   double orientation[4]; /* unit quaternion w x y z */
@@ -113,6 +113,11 @@ typedef struct kerf_body_info {
 /* Writes the properties of a body. info: its size is set.
  * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(pieces). */
 KERF_API kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_body_info* info);
+
+/* Returns a copy of the name of a body, for a world that other threads may change.
+ * out: receives the text; free it with kerf_text_free.
+ * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(1). */
+KERF_API kerf_result kerf_body_get_name(const kerf_world* world, kerf_body body, char** out);
 
 /* Returns a piece of a body as a mesh in world coordinates, with its mass properties.
  * Errors: KERF_INVALID_ARGUMENT if there is no such piece. O(n log n), and O(faces of the body). */

@@ -18,8 +18,9 @@ struct BodyInfo {
   py::object material;
   kerf_body_info values;
 
-  BodyInfo(const World& world, BodyId body) : values(world.info(body)) {
-    name = values.name;
+  // Calls of other threads that run without the GIL may change the world and free values.name at any time.
+  BodyInfo(const World& world, BodyId body) : name(world.name(body)), values(world.info(body)) {
+    values.name = nullptr;
     material = values.material == nullptr ? py::object(py::none()) : py::object(py::str(values.material));
   }
 };

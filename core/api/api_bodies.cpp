@@ -226,6 +226,17 @@ kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_bod
                           });
 }
 
+kerf_result kerf_body_get_name(const kerf_world* world, kerf_body body, char** out) {
+  if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
+  return kerf::read_world(world, nullptr,
+                          [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
+                            const auto own = kerf::body_of(document.world(), body);
+                            if (!own) return own.error();
+                            *out = kerf::copy_of((*own)->name);
+                            return kerf::Done{};
+                          });
+}
+
 kerf_result kerf_piece_get_mesh(const kerf_world* world, kerf_body body, uint32_t piece, kerf_mesh** out) {
   if (out == nullptr) return kerf::set_error(KERF_INVALID_ARGUMENT, "out: must not be null");
   return kerf::read_world(world, nullptr,

@@ -252,6 +252,7 @@ class Module(unittest.TestCase):
         info = self.world.info(body)
         self.assertEqual((info.name, info.is_hidden, info.is_fixed), ('ball 2', True, False))
         self.world.remove(body, 0)
+        self.assertEqual((info.name, repr(info)), ('ball 2', f'<kerf.BodyInfo "ball 2" of {info.face_count} faces>'))
         self.assertEqual(len(self.world.bodies), 1)
         for _ in range(7):
             self.assertTrue(self.world.undo())

@@ -524,6 +524,9 @@ void Session::edit() {
   if (result != KERF_OK || kind > 4 || to == nullptr) return;
   kerf_body_info info = KERF_BODY_INFO_INIT;
   require(kerf_body_get_info(in, now, &info) == KERF_OK, "an edit that names no body");
+  char* text = nullptr;
+  require(kerf_body_get_name(in, now, &text) == KERF_OK && std::string(text) == info.name, "another name");
+  kerf_text_free(text);
   kerf_mesh* edited = nullptr;
   require(kerf_piece_get_mesh(in, now, piece, &edited) == KERF_OK, "an edit that changes the label");
   keep(edited);
@@ -660,9 +663,8 @@ void Session::save_journal() {
   const std::string file = path();
   const char* name = or_null(file.c_str());
   const kerf_result saved = change(of, [&] { return kerf_world_save_journal(of, name); });
-  if (saved != KERF_OK || !std::filesystem::is_regular_file(file)) return;
+  if (saved != KERF_OK || !std::filesystem::is_regular_file(file) || !file.ends_with(".kerf")) return;
   kerf_world* again = nullptr;
-  if (!file.ends_with(".kerf")) return;
   const kerf_result opened = checked(kerf_world_open(file.c_str(), nullptr, &again));
   require(opened == KERF_OK, std::string("a journal that cannot be opened: ") + kerf_last_error());
   require(hash_of(again) == hash_of(of), "a journal that leads to another state");

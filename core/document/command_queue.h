@@ -107,8 +107,8 @@ class CommandQueue {
   bool is_over_budget() const { return world_.face_slots() > face_budget_; }
 
   // Ends a step after one of its parts failed: undoes its stroke, so that only its time passes. With
-  // `stopped`, undoes all of the step and drops the queue behind it. Returns false if no before-images of the
-  // step are held; its stroke then ends at its current place. A stroke that is still running continues
+  // `stopped`, undoes all of the step and drops the queue behind it. Returns false if before-images of the
+  // step were discarded; its stroke then ends at its current place. A stroke that is still running continues
   // without effect. Precondition: with `stopped`, no stroke is running.
   bool give_up(size_t step, bool stopped);
   // Ends a step and its recording, unless parts of it are queued or commands can still be added to it.

@@ -142,6 +142,20 @@ TEST(FaceBudget, a_stroke_that_begins_over_budget_is_undone) {
   EXPECT_LE(most_slots_in_replay(document), document.world().face_slots());
 }
 
+TEST(FaceBudget, a_stroke_on_a_world_over_budget_is_undone_before_it_begins) {
+  Document document(world_of(plate(1)));
+  draw(document, 0.2, 0.01);
+  EXPECT_TRUE(run_all(document).ok());
+  const uint64_t before = state_hash(document.world());
+  document.set_face_budget(document.world().face_slots() - 1);
+  draw(document, 0, 0.01);
+  EXPECT_FALSE(run_all(document).ok());
+  EXPECT_EQ(state_hash(document.world()), before);
+  EXPECT_EQ(document.history().position(), 1u);
+  EXPECT_EQ(document.waiting(), 0u);
+  EXPECT_TRUE(std::holds_alternative<Undo>(document.journal().back()));
+}
+
 TEST(FaceBudget, grows_with_memory_between_its_limits) {
   EXPECT_EQ(usual_face_budget(0), 100'000u);
   EXPECT_EQ(usual_face_budget(uint64_t{2} << 30), (uint64_t{2} << 30) / 400);

@@ -69,10 +69,11 @@ void leave_stroke(kerf_world& world) {
   world.stroke.reset();
 }
 
-// A step that failed may have removed the stroke from the history.
+// A step that failed may have undone the stroke already, which must not be redone.
 Status cancel_stroke(kerf_world& world, RunningStroke& stroke) {
   const bool exists = world.document.history().position() > stroke.position;
   const Outcome back = exists ? world.document.cancel_stroke() : Outcome();
+  if (!exists) world.document.drop_undone();
   world.changes.record(world.document.world(), back.delta);
   world.changes.on_undo(world.document.history().position());
   world.job = std::move(stroke.before);

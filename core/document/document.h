@@ -133,6 +133,10 @@ class Document {
   // Precondition: the last history step is a stroke, and the journal holds no later command.
   Outcome cancel_stroke();
 
+  // Removes the undone steps from the history, so that they can no longer be redone. The journal keeps their
+  // commands, each undone by an Undo.
+  void drop_undone() { queue_.history().drop_undone(); }
+
   // Returns a copy of the world before the last stroke that was not undone; nullopt if its before-images
   // were discarded or the world has more faces than can be copied between two frames.
   static constexpr size_t kMaxFacesToCopy = 400'000;

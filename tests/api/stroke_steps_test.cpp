@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <bit>
 #include <limits>
-#include <memory>
 #include <random>
-#include <vector>
 
 #include "core/kerf.h"
 #include "tests/api/sheets.h"
@@ -130,69 +127,6 @@ TEST(StrokeSteps, a_budget_of_faces_divides_the_work) {
   }
   EXPECT_GT(steps, 5u);
   EXPECT_LT(largest, 2000u);
-}
-
-// Limits the address space of this process during its lifetime to less than it uses, so that the library
-// expects the least memory for which it cuts. Allocations of up to 32 KB use memory that was freed before.
-class LittleMemory {
- public:
-  LittleMemory() {
-    std::vector<std::unique_ptr<char[]>> freed(64);
-    for (auto& block : freed) block = std::make_unique<char[]>(kBlock);
-    behind_ = std::make_unique<char[]>(kBlock);  // keeps the heap from shrinking
-    freed.clear();
-    is_set_ = ::getrlimit(RLIMIT_AS, &before_) == 0;
-    const rlimit little{1 << 20, before_.rlim_max};
-    is_set_ = is_set_ && ::setrlimit(RLIMIT_AS, &little) == 0;
-  }
-  ~LittleMemory() {
-    if (is_set_) ::setrlimit(RLIMIT_AS, &before_);
-  }
-  LittleMemory(const LittleMemory&) = delete;
-  LittleMemory& operator=(const LittleMemory&) = delete;
-
-  bool is_set() const { return is_set_; }
-
- private:
-  static constexpr size_t kBlock = 32'768;
-
-  std::unique_ptr<char[]> behind_;
-  rlimit before_{};
-  bool is_set_ = false;
-};
-
-TEST(StrokeSteps, a_stroke_that_exceeds_the_memory_cannot_be_redone) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "the sanitizers need address space";
-#endif
-  World world = world_of(sheet(220));  // 96 800 faces; the smallest budget is 100 000
-  Stroke hole = through_the_middle(), fine = hole;
-  hole.keys = {{0, {0.9, 1, 0.9}, {0, -1, 0}}};
-  world.cut(hole);
-  const std::string before = world.hash();
-  {
-    const LittleMemory little;
-    ASSERT_TRUE(little.is_set());
-    world.begin_stroke(fine, {.target_edge = 0.0005});
-  }
-  world.end_stroke();
-  std::string message;
-  try {
-    world.step_stroke(kNoFaces, kNoTime);
-  } catch (const Error& fault) {
-    message = fault.what();
-  }
-  EXPECT_NE(message.find("memory"), std::string::npos) << message;
-  EXPECT_EQ(world.hash(), before);
-  EXPECT_FALSE(world.redo());
-  EXPECT_EQ(world.hash(), before);
-  const std::string file = testing::TempDir() + "kerf-over-budget.kerf";
-  world.save_journal(file);
-  EXPECT_EQ(World(file).hash(), before);
-  EXPECT_TRUE(world.undo());
-  EXPECT_TRUE(world.redo());
-  EXPECT_EQ(world.hash(), before);
-  EXPECT_GT(world.cut(fine).removed_faces, 0u);
 }
 
 TEST(StrokeSteps, other_changes_wait_for_the_end) {

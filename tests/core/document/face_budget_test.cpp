@@ -142,18 +142,20 @@ TEST(FaceBudget, a_stroke_that_begins_over_budget_is_undone) {
   EXPECT_LE(most_slots_in_replay(document), document.world().face_slots());
 }
 
-TEST(FaceBudget, a_stroke_on_a_world_over_budget_is_undone_before_it_begins) {
+TEST(FaceBudget, a_dropped_stroke_cannot_be_redone) {
   Document document(world_of(plate(1)));
   draw(document, 0.2, 0.01);
-  EXPECT_TRUE(run_all(document).ok());
+  finish(document);
   const uint64_t before = state_hash(document.world());
-  document.set_face_budget(document.world().face_slots() - 1);
-  draw(document, 0, 0.01);
+  document.set_face_budget(document.world().face_slots() + 500);
+  draw(document, 0, 0.001);
   EXPECT_FALSE(run_all(document).ok());
-  EXPECT_EQ(state_hash(document.world()), before);
-  EXPECT_EQ(document.history().position(), 1u);
+  document.drop_undone();
+  EXPECT_EQ(document.history().size(), 1u);
+  EXPECT_TRUE(document.apply(Redo{}).ok());
   EXPECT_EQ(document.waiting(), 0u);
-  EXPECT_TRUE(std::holds_alternative<Undo>(document.journal().back()));
+  EXPECT_EQ(state_hash(document.world()), before);
+  EXPECT_EQ(most_slots_in_replay(document), document.world().face_slots());
 }
 
 TEST(FaceBudget, grows_with_memory_between_its_limits) {

@@ -77,7 +77,8 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("outlines", o.outlines, {"svg", "dxf"},
            "Also write the outline of each flat piece: svg or dxf (none)");
   v.flag("single-file", o.single_file, "For glTF and 3MF: write all pieces to one file, such as pieces.glb");
-  v.flag("split-all", o.split_all, "Make every connected component a piece");
+  v.flag("split-all", o.split_all,
+         "Make every connected component a piece; cavities stay with the solids around them");
   v.flag("recentre", o.recentre,
          "Write coordinates relative to an origin near the meshes, stated in the report (\"origin\")");
   v.number("settle", o.settle, kFall,

@@ -20,7 +20,7 @@ std::string missed_text(const CutJob& job, const std::string& file);
 struct PiecesFolder {
   std::string path;
   std::string format = "obj";
-  bool split_all = false;    // every connected component is a piece
+  bool split_all = false;    // every connected component is a piece (see faces_by_piece)
   bool solid = false;        // all bodies were made solid; listed in the settings of the report
   std::string provenance{};  // file for the origins of the faces; empty: none
   // The engine whose names the colliders have: "unreal" or "godot"; empty: no colliders. Only for glTF.

@@ -259,6 +259,39 @@ void fill(Extract& out) {
   out.centroid = solid_of(out, 1).centre;
 }
 
+// Returns true if the faces of a component are closed and enclose a negative volume.
+bool bounds_cavity(const Body& body, std::span<const FaceId> component) {
+  const Vec3 apex = body.mesh.triangle(component.front())[0];
+  double volume = 0;
+  for (const FaceId f : component) volume += volume_under(body.mesh.triangle(f), apex);
+  if (!(volume < 0)) return false;
+  const Extract e = extract_faces(body, component);
+  return e.volume && *e.volume < 0;
+}
+
+// Moves the faces of cavities to the components around them, and sorts all components by their lowest faces.
+// `component`: index in `components` by face slot. O(n log n + cavities * crossings of a ray).
+void join_cavities(const Body& body, const std::vector<uint32_t>& component,
+                   std::vector<std::vector<FaceId>>& components) {
+  std::vector<bool> cavities(components.size());
+  for (size_t c = 0; c < components.size(); ++c) cavities[c] = bounds_cavity(body, components[c]);
+  const auto solid_of_face = [&](FaceId f) -> std::optional<uint32_t> {
+    if (cavities[component[f.index]]) return std::nullopt;
+    return component[f.index];
+  };
+  for (size_t c = 0; c < components.size(); ++c) {
+    if (!cavities[c]) continue;
+    const auto around = group_around(body, components[c].front(), solid_of_face);
+    if (!around) continue;
+    std::vector<FaceId>& faces = components[*around];
+    faces.insert(faces.end(), components[c].begin(), components[c].end());
+    components[c].clear();
+  }
+  std::erase_if(components, [](const auto& faces) { return faces.empty(); });
+  for (std::vector<FaceId>& faces : components) std::sort(faces.begin(), faces.end());
+  std::ranges::sort(components, {}, [](const auto& faces) { return faces.front().index; });
+}
+
 }  // namespace
 
 Result<Delta> remesh_piece(World& world, const PieceId& piece, uint32_t generation, const Remake& remake,
@@ -341,6 +374,7 @@ std::vector<std::vector<FaceId>> faces_by_piece(const Body& body, bool every_com
     if (!body.mesh.is_live(FaceId(f))) continue;
     groups[every_component ? component[f] : body.mesh.data(FaceId(f)).piece].push_back(FaceId(f));
   }
+  if (every_component && body.solid) join_cavities(body, component, groups);
   std::erase_if(groups, [](const auto& group) { return group.empty(); });
   return groups;
 }

@@ -78,7 +78,9 @@ Extract extract_faces(const Body& body, std::span<const FaceId> faces);
 MassProperties mass_of(const Extract& extract, const Sheet& sheet);
 
 // Returns the live faces of each non-empty piece of a body, in the order of labels; with `every_component`,
-// of each connected component, in the order of their lowest faces. O(n).
+// of each connected component, in the order of their lowest faces. In a solid body, a closed component that
+// bounds a cavity belongs to the component around it. O(n), or O(n log n + cavities * crossings of a ray) for
+// the components of a solid body.
 std::vector<std::vector<FaceId>> faces_by_piece(const Body& body, bool every_component);
 
 }  // namespace kerf

@@ -77,31 +77,6 @@ bool is_cavity(const Body& body, const std::vector<Enclosed>& components, FaceId
   return component != LoadedComponents::kNone && components[component].volume < 0;
 }
 
-// Returns the label of the piece around a cavity: that which a ray from a face of it, into the material
-// behind that face, leaves once more than it enters; `own` if there is none.
-uint32_t label_around(const Body& body, const std::vector<Enclosed>& components, FaceId f, uint32_t own) {
-  const Triangle t = body.mesh.triangle(f);
-  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double length = glm::length(normal);
-  // Any direction serves, because faces of cavities do not count.
-  const Vec3 direction = length > 0 ? -normal / length : Vec3(0, 0, 1);
-  std::vector<RayHit> hits;
-  body.tree.crossings(body.mesh, {(t[0] + t[1] + t[2]) / 3.0, direction},
-                      {0, std::numeric_limits<double>::max()}, hits);
-  std::map<uint32_t, int> left;
-  for (const RayHit& hit : hits) {
-    if (is_cavity(body, components, hit.face)) continue;
-    const Triangle other = body.mesh.triangle(hit.face);
-    left[body.mesh.data(hit.face).piece] +=
-        glm::dot(glm::cross(other[1] - other[0], other[2] - other[0]), direction) > 0 ? 1 : -1;
-  }
-  for (const RayHit& hit : hits) {
-    const uint32_t label = body.mesh.data(hit.face).piece;
-    if (!is_cavity(body, components, hit.face) && left[label] > 0) return label;
-  }
-  return own;
-}
-
 // Returns the remaining loaded components of faces that were copied out.
 LoadedComponents components_of(const Mesh& copy, const Body& body, std::span<const FaceId> faces) {
   KERF_ASSERT(copy.live_faces() == faces.size());
@@ -177,17 +152,45 @@ Body copy_out(const Body& body, std::span<const FaceId> faces, uint32_t label, b
 
 bool cavities_requested(const Body& body) { return body.separation.cavities_requested; }
 
+std::optional<uint32_t> group_around(const Body& body, FaceId face,
+                                     const std::function<std::optional<uint32_t>(FaceId)>& group_of) {
+  const Triangle t = body.mesh.triangle(face);
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(normal);
+  // Any direction serves, because faces of cavities do not count.
+  const Vec3 direction = length > 0 ? -normal / length : Vec3(0, 0, 1);
+  std::vector<RayHit> hits;
+  body.tree.crossings(body.mesh, {(t[0] + t[1] + t[2]) / 3.0, direction},
+                      {0, std::numeric_limits<double>::max()}, hits);
+  std::map<uint32_t, int> left;
+  for (const RayHit& hit : hits) {
+    const std::optional<uint32_t> group = group_of(hit.face);
+    if (!group) continue;
+    const Triangle other = body.mesh.triangle(hit.face);
+    left[*group] += glm::dot(glm::cross(other[1] - other[0], other[2] - other[0]), direction) > 0 ? 1 : -1;
+  }
+  for (const RayHit& hit : hits) {
+    const std::optional<uint32_t> group = group_of(hit.face);
+    if (group && left[*group] > 0) return group;
+  }
+  return std::nullopt;
+}
+
 void assign_cavities(BodyId id, Body& body, Delta& delta) {
   if (!cavities_requested(body)) return;
   KERF_ASSERT(is_settled(body));
   body.separation.cavities_requested = false;
   if (body.components.left.empty()) return;
   const std::vector<Enclosed> components = components_of(body);
+  const auto piece_of = [&](FaceId f) -> std::optional<uint32_t> {
+    if (is_cavity(body, components, f)) return std::nullopt;
+    return body.mesh.data(f).piece;
+  };
   std::map<uint32_t, uint32_t> label_of;
   for (uint32_t c = 0; c < components.size(); ++c) {
     if (!(components[c].volume < 0)) continue;
     const uint32_t home = body.components.home[c];
-    const uint32_t label = label_around(body, components, components[c].lowest, home);
+    const uint32_t label = group_around(body, components[c].lowest, piece_of).value_or(home);
     if (label != home) label_of[c] = label;
   }
   if (label_of.empty()) return;

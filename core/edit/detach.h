@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 
 #include "core/world/world.h"
 #include "core/world/world_delta.h"
@@ -20,6 +23,12 @@ bool cavities_requested(const Body& body);
 // Precondition: the body is settled. O(faces + cavities * crossings of a ray) if cavities_requested(), else
 // O(1).
 void assign_cavities(BodyId id, Body& body, Delta& delta);
+
+// Returns the group of faces around a cavity: the nearest one that a ray from `face`, into the material
+// behind it, leaves once more than it enters; nullopt if there is none. `group_of` returns nullopt for the
+// faces of all cavities. Precondition: `face` bounds a cavity.
+std::optional<uint32_t> group_around(const Body& body, FaceId face,
+                                     const std::function<std::optional<uint32_t>(FaceId)>& group_of);
 
 // Returns true if no other piece of the same body has faces.
 bool is_only_piece(const World& world, const PieceId& piece);

@@ -129,5 +129,33 @@ TEST(Extract, solid_body_has_the_centre_of_its_volume) {
   EXPECT_NEAR(glm::distance(mass_of(e, {}).centre, e.centroid), 0, 1e-14);
 }
 
+// A hollow brick after its cavity, a cube in the cavity, and a brick next to it.
+TEST(FacesByPiece, keeps_a_cavity_with_the_solid_around_it) {
+  const Soup cavity = moved(inside_out(brick({2, 2, 2})), {1, 1, 1}, 1);
+  const Soup hollow = both(cavity, brick({4, 4, 4}));
+  const Soup cube = moved(brick({1, 1, 1}), {1.5, 1.5, 1.5}, 1);
+  World world = world_of(both(both(hollow, cube), moved(brick({1, 1, 1}), {5, 0, 0}, 1)));
+  EXPECT_EQ(faces_by_piece(only_body(world), true).size(), 4u) << "sheets have no cavities";
+  only_body(world).solid = true;
+  std::vector<double> volumes;
+  for (const auto& faces : faces_by_piece(only_body(world), true)) {
+    const Extract e = extract_faces(only_body(world), faces);
+    EXPECT_TRUE(e.solid);
+    volumes.push_back(e.volume.value_or(0));
+  }
+  ASSERT_EQ(volumes.size(), 3u);
+  EXPECT_NEAR(volumes[0], 64 - 8, 1e-12);
+  EXPECT_NEAR(volumes[1], 1, 1e-12);
+  EXPECT_NEAR(volumes[2], 1, 1e-12);
+}
+
+TEST(FacesByPiece, joins_no_open_component_to_the_solid_around_it) {
+  Soup holed = moved(inside_out(brick({2, 2, 2})), {1, 1, 1}, 1);
+  holed.triangles.pop_back();
+  World world = world_of(both(brick({4, 4, 4}), holed));
+  only_body(world).solid = true;
+  EXPECT_EQ(faces_by_piece(only_body(world), true).size(), 2u);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -73,9 +73,7 @@ class CutRun {
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = cut_planes(); !s) return s;
     if (const auto s = settle(); !s) return s;
-    for (const Command& move : options_.knife.lay_flat(document_.world())) {
-      if (const Outcome laid = document_.apply(move); !laid.ok()) return laid.error();
-    }
+    if (const auto s = lay_flat(); !s) return s;
     // If the journal cannot be written, the pieces are.
     const Status journal = end_journal();
     const StrokePath first = strokes_.empty() ? StrokePath{} : strokes_.front();
@@ -388,6 +386,15 @@ class CutRun {
     QueueRun how;
     how.progress = &falling;
     if (const Status ran = run_queue(document_, how); !ran) return error_or_stopped(ran.error());
+    return Done{};
+  }
+
+  Status lay_flat() {
+    const std::vector<Command> moves = options_.knife.lay_flat(document_.world());
+    for (const Command& move : moves) {
+      if (const Outcome laid = document_.apply(move); !laid.ok()) return laid.error();
+    }
+    if (options_.recentre && !moves.empty()) job_.origin = near_origin(document_.world().bounds());
     return Done{};
   }
 

@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -11,8 +12,8 @@ KERF = os.path.abspath(sys.argv.pop(1))
 SIZE = (0.5, 0.2, 0.3)
 
 
-def box():
-    corners = [[s * x for s, x in zip((i & 1, i >> 1 & 1, i >> 2), SIZE)] for i in range(8)]
+def box(at=(0, 0, 0)):
+    corners = [[a + s * x for a, s, x in zip(at, (i & 1, i >> 1 & 1, i >> 2), SIZE)] for i in range(8)]
     sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
     return "".join("v %r %r %r\n" % tuple(c) for c in corners) + \
            "".join("f %d %d %d %d\n" % tuple(i + 1 for i in side) for side in sides)
@@ -114,6 +115,26 @@ class Knife(unittest.TestCase):
             spans.append((min(v[0] for v in piece), max(v[0] for v in piece)))
         (_, left), (right, _) = sorted(spans)
         self.assertLess(left, right)
+
+    def test_pieces_of_a_far_mesh_lie_flat_near_their_origin(self):
+        with open(os.path.join(self.folder, "box.obj"), "w") as file:
+            file.write(box((1e5, -3e5, 2e4)))
+        run = self.kerf("--plane", "1,0,0,100000.2", "--solid", "--lay-flat", "--recentre", "--format", "stl")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(os.path.join(self.folder, "out", "report.json")) as file:
+            report = json.load(file)
+        self.assertEqual((report["notes"], len(report["pieces"])), ([], 2))
+        for piece in report["pieces"]:
+            with open(os.path.join(self.folder, "out", piece["file"]), "rb") as file:
+                data = file.read()
+            volume = 0
+            for face in range(struct.unpack_from("<I", data, 80)[0]):
+                a, b, c = (struct.unpack_from("<3f", data, 96 + 50 * face + 12 * corner) for corner in range(3))
+                volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+                for centre, origin, *corners in zip(piece["centroid"], report["origin"], a, b, c):
+                    self.assertLess(max(abs(origin + x - centre) for x in corners), 1)
+            self.assertAlmostEqual(volume, piece["volume"], delta=1e-6)
 
     def test_wrong_numbers_are_refused_and_write_nothing(self):
         for option, value, words in (("--plane", "0,0,0,1", "normal"), ("--plane", "1,0,0", "four"),

@@ -182,6 +182,7 @@ class CutRun {
         return load_mesh(body.mesh, {body.unit, !options_.provenance.empty()});
       }();
       if (!built) return built.error();
+      if (options_.turn_shells) std::erase(built->report.warnings, built->report.overlap_warning);
       print_repairs(built->report);
       job_.record_loaded(built->report);
       job_.notes.insert(job_.notes.end(), built->report.warnings.begin(), built->report.warnings.end());

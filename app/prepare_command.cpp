@@ -78,6 +78,7 @@ class PrepareRun {
       return s;
     auto built = load_mesh(options_.mesh, reading);
     if (!built) return built.error();
+    if (options_.turn_shells) std::erase(built->report.warnings, built->report.overlap_warning);
     print_repairs(built->report);
     world_.add(make_body("", std::move(*built)));
     const size_t before = world_.live_faces();

@@ -105,14 +105,15 @@ class Builder {
 
   void record_overlaps(size_t shells) {
     if (shells == 0) return;
-    report_.warnings.push_back(
+    report_.overlap_warning =
         grouped(shells) +
         (shells == 1
              ? " closed part is inside another one and faces the same way: its volume counts twice unless "
                "it is turned"
              : " closed parts are inside others and face the same way: their volumes count twice unless they "
                "are turned") +
-        " (--turn-shells, or Turn Inner Shells in the editor).");
+        " (--turn-shells, or Turn Inner Shells in the editor).";
+    report_.warnings.push_back(report_.overlap_warning);
   }
 
   void turn(const std::vector<bool>& selected) {

@@ -40,6 +40,7 @@ struct MeshReport {
   Vec3 min{0}, max{0};            // bounding box of the mesh, m
   Repairs repairs;
   std::vector<std::string> warnings;
+  std::string overlap_warning;  // one of these, true until inner shells are turned; empty if there is none
 };
 
 struct BuiltMesh {

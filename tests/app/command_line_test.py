@@ -254,6 +254,7 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("cut", "shells.obj", "--out", "out")
         self.assertEqual(done.stderr.count(note), 1, done.stderr)
         report = self.report_of("shells.obj", "--solid", "--turn-shells", "--path", "down.json", "--journal", "down.kerf")
+        self.assertEqual(report["notes"], [])
         self.assertEqual([piece["closed"] for piece in report["pieces"]], [True, True])
         self.assertAlmostEqual(sum(piece["volume"] for piece in report["pieces"]) + report["removed"]["volume"], 26, 5)
         done = self.run_here("replay", "down.kerf", "--expect", report["state_hash"])
@@ -261,6 +262,7 @@ class CommandLine(unittest.TestCase):
 
         done = self.run_here("prepare", "shells.obj", "--turn-shells", "--out", "turned.obj")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn(note, done.stderr)
         self.assertEqual(self.report_of("turned.obj", "--solid")["notes"], [])
         self.assertAlmostEqual(self.report_of("turned.obj", "--solid")["pieces"][0]["volume"], 26)
 

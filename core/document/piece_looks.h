@@ -28,7 +28,8 @@ enum class LookNormals : uint8_t {
 CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, LookNormals normals);
 
 // The origin of a face: the loaded face that contains it, by its number in the file, and the barycentric
-// coordinates of its corners there, in the order of the file. A wall has the number -1 and zeros.
+// coordinates of its corners there, in the order of the file. Coordinates are negative if a vertex that moved
+// onto a smooth rim lies outside that face. A wall has the number -1 and zeros.
 struct FaceSource {
   int64_t face = -1;
   std::array<Vec3, 3> barycentrics{Vec3(0), Vec3(0), Vec3(0)};

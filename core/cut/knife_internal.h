@@ -30,8 +30,8 @@ std::vector<RimSide> open_sides(const Mesh& mesh, std::span<const Mesh::Side> si
                                 std::vector<FaceId>& others);
 
 // Returns centres of pegs in a section, given by the sides of one side of a cut: the first as far as possible
-// from its border, the next as far as possible from the others. has_room(centre, radius) returns true if the
-// solid has room for a peg and its hole within this radius.
+// from its border, the next as far as possible from the others; or in rows, if more of them fit so.
+// has_room(centre, radius) returns true if the solid has room for a peg and its hole within this radius.
 std::vector<Vec3> peg_centres(const Mesh& mesh, std::span<const Mesh::Side> sides, const WallPlane& plane,
                               const Pegs& pegs, const std::function<bool(const Vec3&, double)>& has_room);
 

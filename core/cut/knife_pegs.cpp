@@ -87,7 +87,8 @@ std::vector<Vec3> peg_centres(const Mesh& mesh, std::span<const Mesh::Side> side
   const double radius = pegs.diameter / 2, reach = radius + pegs.tolerance + kPegMargin * radius;
   KERF_ASSERT(radius > 0 && is_unit(plane.normal));
   const PegPlaces section(mesh, sides, plane);
-  std::vector<PegPlaces::Place> places = section.places(reach);
+  const std::vector<PegPlaces::Place> all = section.places(reach);
+  std::vector<PegPlaces::Place> places = all;
   std::vector<Vec3> centres;
   while (static_cast<int>(centres.size()) < pegs.count && !places.empty()) {
     // The place farthest from the border is the first; then the one farthest from the pegs so far.
@@ -104,7 +105,22 @@ std::vector<Vec3> peg_centres(const Mesh& mesh, std::span<const Mesh::Side> side
     }
     std::erase_if(places, [&](const PegPlaces::Place& p) { return p.distance < 2 * reach; });
   }
-  return centres;
+  if (centres.empty() || static_cast<int>(centres.size()) == pegs.count) return centres;
+  // More pegs may fit in rows, because a peg in the middle takes the room of several around it.
+  std::vector<Vec3> in_rows;
+  std::vector<Vec2> taken;
+  for (const PegPlaces::Place& place : all) {
+    if (static_cast<int>(in_rows.size()) == pegs.count) break;
+    const bool is_free = std::ranges::none_of(taken, [&](const Vec2& other) {
+      const Vec2 apart = glm::abs(place.at - other);
+      return std::max(apart.x, apart.y) < 2 * reach;
+    });
+    const Vec3 centre = section.point(place.at);
+    if (!is_free || !has_room(centre, reach)) continue;
+    in_rows.push_back(centre);
+    taken.push_back(place.at);
+  }
+  return in_rows.size() > centres.size() ? in_rows : centres;
 }
 
 }  // namespace kerf

@@ -80,6 +80,21 @@ TEST(KnifePegs, leave_random_solids_closed) {
   }
 }
 
+// A peg in the middle of the square would leave no room for the four.
+TEST(KnifePegs, stand_in_rows_if_more_of_them_fit_so) {
+  World world = world_of(brick({1, 1, 1}));
+  make_solid(only_body(world), true);
+  const auto cut = cut_with_plane(world, {{1, 0, 0}, 0.5}, world.ids(), CutSettings::kMaxFaces, nullptr,
+                                  {50, 0.3, 0.1, 0.002});
+  ASSERT_TRUE(cut.ok());
+  EXPECT_EQ(cut->delta.solid.pegs, 4u);
+  EXPECT_EQ(cut->delta.solid.missing_pegs, 46u);
+  double volume = 0;
+  for (const std::vector<FaceId>& faces : faces_by_piece(only_body(world), false))
+    volume += volume_of_piece(extract_faces(only_body(world), faces));
+  EXPECT_NEAR(volume, 1 + 4 * (prism(0.15, 0.1) - prism(0.152, 0.102)), 1e-12);
+}
+
 TEST(KnifePegs, are_left_out_without_room) {
   World world = world_of(brick({4, 3, 2}));
   make_solid(only_body(world), true);

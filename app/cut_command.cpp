@@ -174,7 +174,8 @@ class CutRun {
 
   Status load() {
     World world;
-    for (SceneBody& body : scene_.bodies) {
+    for (size_t i = 0; i < scene_.bodies.size(); ++i) {
+      SceneBody& body = scene_.bodies[i];
       if (interrupted()) return stopped();
       if (const Status same = check_hash(body); !same) return same;
       Result<BuiltMesh> built = [&] {
@@ -196,11 +197,13 @@ class CutRun {
       if (options_.cut_material) body.cut_material = *options_.cut_material;
       const auto added = add_scene_body(body, make_body(body.name, std::move(*built)), world);
       if (!added) return added.error();
+      if (!world.body(*added).solid) continue;
+      const std::string where = options_.meshes.front() + ": /bodies/" + std::to_string(i) + "/solid";
+      if (const Status s = prepare_for_walls(options_, where); !s) return s;
     }
     if (!options_.journal.empty()) {
       if (const auto noted = record_hashes(scene_); !noted) return noted;
     }
-    if (any_is_solid(world)) prefer_smooth_rim(options_);
     job_.input_min_angle = smallest_angle(world);
     bounds_ = world.bounds();
     diagonal_ = bounds_.diagonal();

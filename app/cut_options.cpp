@@ -214,16 +214,20 @@ bool is_resolution(const std::string& key) {
   return key == "target-edge" || key == "tolerance" || key == "depth";
 }
 
+// Returns why the options leave no walls, and what to remove; "" if they leave walls.
+std::string obstacle_to_walls(const CutOptions& o) {
+  if (o.pattern == "rays4") return "walls need the whole volume of the beam; remove --pattern rays4";
+  if (o.model == "thermal") return "walls need the geometric model; remove --model thermal";
+  if (o.rim == "faces") return "walls need a smooth rim; remove --rim faces";
+  return "";
+}
+
 Status check_solid(const CutOptions& o) {
   if (o.cut_material && (o.cut_material->empty() || *o.cut_material != one_line(*o.cut_material)))
     return bad_input("--cut-material: must be a name of one line, and not empty");
-  if (!o.solid) return Done{};
-  if (o.pattern == "rays4")
-    return bad_input("--solid: walls need the whole volume of the beam; remove --pattern rays4");
-  if (o.model == "thermal")
-    return bad_input("--solid: walls need the geometric model; remove --model thermal");
-  if (o.rim == "faces") return bad_input("--solid: walls need a smooth rim; remove --rim faces");
-  return Done{};
+  const std::string obstacle = obstacle_to_walls(o);
+  if (!o.solid || obstacle.empty()) return Done{};
+  return bad_input("--solid: " + obstacle);
 }
 
 Status check_gltf_options(const CutOptions& o) {
@@ -298,8 +302,11 @@ Status check_cut_options(CutOptions o) {
   return check_solid(o);
 }
 
-void prefer_smooth_rim(CutOptions& o) {
-  if (!o.rim && o.pattern != "rays4" && o.model != "thermal") o.rim = "smooth";
+Status prepare_for_walls(CutOptions& o, const std::string& where) {
+  if (const std::string obstacle = obstacle_to_walls(o); !obstacle.empty())
+    return bad_input(where + ": " + obstacle);
+  o.rim = "smooth";
+  return Done{};
 }
 
 CutSettings stroke_settings(const CutOptions& o, const StrokePath& stroke, double diagonal) {

@@ -44,8 +44,9 @@ Status merge_settings_file(CutOptions& options);
 // Checks the values in the order of the options. The error names the first wrong option.
 Status check_cut_options(CutOptions options);
 
-// Makes the rim smooth, as walls require, unless the options name a rim or a beam that leaves none.
-void prefer_smooth_rim(CutOptions& options);
+// Makes the rim smooth, as walls of solids require. Fails with bad input if an option names a rim, a model or
+// a pattern without walls; `where` names the solid in the error.
+Status prepare_for_walls(CutOptions& options, const std::string& where);
 
 // Returns the settings of one stroke. Options take precedence over the laser of the path file, and that over
 // the defaults for a bounding box with this diagonal [m]. Precondition: check_cut_options() succeeded.

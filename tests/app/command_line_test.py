@@ -152,12 +152,23 @@ class CommandLine(unittest.TestCase):
 
     def test_a_solid_body_of_a_scene_is_cut_with_a_smooth_rim_by_default(self):
         self.write("cube.obj", CUBE)
-        for solid, options, rim in (("auto", [], "smooth"), (True, [], "smooth"), (False, [], "faces"),
-                                    (True, ["--rim", "faces"], "faces"), (True, ["--pattern", "rays4"], "faces")):
+        for solid, rim in (("auto", "smooth"), (True, "smooth"), (False, "faces")):
             self.write("scene.json", json.dumps({"bodies": [{"mesh": "cube.obj", "solid": solid}]}))
-            report = self.report_of("scene.json", *options)
+            report = self.report_of("scene.json")
             self.assertEqual(report["settings"]["rim"], rim)
             self.assertEqual("walls" in report, bool(solid))
+
+    def test_options_that_create_no_walls_are_rejected_with_a_solid_body_of_a_scene(self):
+        self.write("cube.obj", CUBE)
+        for options in (["--rim", "faces"], ["--pattern", "rays4"], ["--model", "thermal"]):
+            for solid in ("auto", True):
+                bodies = [{"mesh": "plate.obj"}, {"mesh": "cube.obj", "solid": solid}]
+                self.write("scene.json", json.dumps({"bodies": bodies, "strokes": ACROSS["strokes"]}))
+                refused = self.run_here("cut", "scene.json", "--out", "o", "--journal", "o.kerf", *options)
+                self.assert_refused(refused, 2, "scene.json: /bodies/1/solid: walls need", "remove " + " ".join(options))
+            self.assertFalse({"o", "o.kerf"} & set(os.listdir(self.folder.name)))
+            self.write("scene.json", json.dumps({"bodies": [{"mesh": "cube.obj", "solid": False}]}))
+            self.report_of("scene.json", *options)
 
     def test_a_mesh_that_differs_from_the_hash_of_its_scene_is_not_cut(self):
         self.cut("--journal", "cut.kerf")

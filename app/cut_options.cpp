@@ -45,7 +45,9 @@ void visit_options(CutOptions& o, Visitor& v) {
   v.choice("pattern", o.pattern, {"volume", "rays4"}, "volume or rays4 (volume)");
   v.choice("scheme", o.scheme, {"one-to-four", "longest-edge"},
            "Subdivision of faces: one-to-four or longest-edge (longest-edge)");
-  v.choice("rim", o.rim, {"faces", "smooth"}, "Rim of the cut: faces (jagged) or smooth (faces)");
+  v.choice(
+      "rim", o.rim, {"faces", "smooth"},
+      "Rim of the cut: faces (jagged) or smooth, which needs --model geometric and --pattern volume (faces)");
   v.flag("solid", o.solid,
          "The meshes are solids: walls cap the cut, so pieces are closed (implies --rim smooth)");
   v.text("cut-material", o.cut_material,
@@ -222,6 +224,15 @@ std::string obstacle_to_walls(const CutOptions& o) {
   return "";
 }
 
+Status check_rim(const CutOptions& o) {
+  if (o.rim != "smooth") return Done{};
+  if (o.pattern == "rays4")
+    return bad_input("--rim: a smooth rim needs the whole volume of the beam; remove --pattern rays4");
+  if (o.model == "thermal")
+    return bad_input("--rim: a smooth rim needs the geometric model; remove --model thermal");
+  return Done{};
+}
+
 Status check_solid(const CutOptions& o) {
   if (o.cut_material && (o.cut_material->empty() || *o.cut_material != one_line(*o.cut_material)))
     return bad_input("--cut-material: must be a name of one line, and not empty");
@@ -299,7 +310,8 @@ Status check_cut_options(CutOptions o) {
   if (o.assist == "oxygen" && o.model != "thermal") return bad_input("--assist: requires --model thermal");
   if (o.ground && !o.settle) return bad_input("--ground: requires --settle");
   if (const Status s = check_gltf_options(o); !s) return s;
-  return check_solid(o);
+  if (const Status s = check_solid(o); !s) return s;
+  return check_rim(o);
 }
 
 Status prepare_for_walls(CutOptions& o, const std::string& where) {

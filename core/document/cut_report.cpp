@@ -225,7 +225,7 @@ nlohmann::ordered_json settings_json(const CutSettings& s, const std::string& fo
       {"range", {s.laser.range.low, s.laser.range.high}},
       {"pattern", s.laser.pattern == Pattern::kRays4 ? "rays4" : "volume"},
       {"scheme", resolution.scheme == Scheme::kOneToFour ? "one-to-four" : "longest-edge"},
-      {"rim", resolution.rim == Rim::kSmooth ? "smooth" : "faces"}};
+      {"rim", s.smooth() ? "smooth" : "faces"}};
   switch (resolution.rule) {
     case Resolution::Rule::kTargetEdge:
       json["target-edge"] = resolution.target_edge;

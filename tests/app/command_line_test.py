@@ -146,6 +146,15 @@ class CommandLine(unittest.TestCase):
             refused = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json")
             self.assert_refused(refused, 2, word)
 
+    def test_options_that_leave_no_smooth_rim_are_rejected_with_it(self):
+        for options in (["--pattern", "rays4"], ["--model", "thermal"]):
+            refused = self.run_here("cut", "plate.obj", "--out", "o", "--rim", "smooth", *options)
+            self.assert_refused(refused, 2, "--rim: a smooth rim needs", "remove " + " ".join(options))
+            self.write("settings.json", json.dumps({"rim": "smooth"}))
+            refused = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json", *options)
+            self.assert_refused(refused, 2, "--rim: a smooth rim needs")
+            self.report_of("plate.obj", "--settings", "settings.json", "--rim", "faces", *options)
+
     def test_a_settings_file_makes_bodies_solid(self):
         self.write("settings.json", json.dumps({"solid": True}))
         self.assertEqual(self.cut("--settings", "settings.json")["settings"]["solid"], True)

@@ -132,6 +132,17 @@ TEST(CutReport, names_the_beam_pattern) {
   EXPECT_EQ(settings_json(settings, "obj", false)["pattern"], "volume");
 }
 
+TEST(CutReport, names_the_rim_that_the_beam_leaves) {
+  CutSettings settings;
+  settings.resolution.rim = Rim::kSmooth;
+  EXPECT_EQ(settings_json(settings, "obj", false)["rim"], "smooth");
+  settings.laser.pattern = Pattern::kRays4;
+  EXPECT_EQ(settings_json(settings, "obj", false)["rim"], "faces");
+  settings.laser.pattern = Pattern::kVolume;
+  settings.model = Model::kThermal;
+  EXPECT_EQ(settings_json(settings, "obj", false)["rim"], "faces");
+}
+
 TEST(CutReport, reports_closed_pieces_and_their_volume) {
   WrittenPiece closed, open;
   closed.volume = 0.5;

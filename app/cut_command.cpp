@@ -55,7 +55,8 @@ class CutRun {
     if (const auto s = read_strokes(); !s) return s;
     if (const auto s = options_.knife.read(); !s) return s;
     if (const auto s = options_.job.read(!options_.path.empty(), options_.radius); !s) return s;
-    if (const auto s = options_.setup.read(); !s) return s;
+    const bool has_strokes = !strokes_.empty() || !options_.job.file().empty();
+    if (const auto s = options_.setup.read(has_strokes); !s) return s;
     if (const auto s = read_material(); !s) return s;
     const PiecesFolder folder{
         options_.out,         options_.format.value_or("obj"),

@@ -77,7 +77,7 @@ void SetupOptions::add_to(CLI::App& command) {
                      "starts, with its half angle in degrees and its length; lengths in metres");
 }
 
-Status SetupOptions::read() {
+Status SetupOptions::read(bool has_strokes) {
   if (!nozzle.empty()) {
     const auto values = parse_point("--nozzle", nozzle);
     if (!values || !(values->x > 0 && values->y >= 0 && values->y < 80 && values->z > 0))
@@ -87,6 +87,9 @@ Status SetupOptions::read() {
     const auto [sin, cos] = sin_cos(radians_of(values->y));
     nozzle_ = Nozzle{values->x, sin / cos, values->z};
   }
+  constexpr const char* kNeedsStrokes = ": requires strokes; add --path, --drawing or --gcode";
+  if (!has_strokes && !fit.empty()) return bad_input(std::string("--fit") + kNeedsStrokes);
+  if (!has_strokes && nozzle_) return bad_input(std::string("--nozzle") + kNeedsStrokes);
   if (!is_datum_file(fit)) return Done{};
   const auto list = read_described<DatumList>(fit);
   if (!list) return list.error();

@@ -21,8 +21,9 @@ struct SetupOptions {
 
   // Adds the options to the subcommand. Parsing fills this object.
   void add_to(CLI::App& command);
-  // Checks the options and reads the datum points. The error names the first wrong option.
-  Status read();
+  // Checks the options and reads the datum points. The error names the first wrong option. `has_strokes`: the
+  // job has strokes that the options apply to.
+  Status read(bool has_strokes);
   // Moves the strokes onto the part as measured, and records the motion with its residuals. Precondition:
   // read() succeeded.
   Status fit_strokes(const World& world, const MeshReading& reading, std::vector<StrokePath>& strokes,

@@ -446,6 +446,23 @@ class Jobs(unittest.TestCase):
                 self.assertAlmostEqual(standoff, .002, delta=1e-9)
         self.assertIn('--nozzle: must be R,ANGLE,LENGTH', self.kerf('cut', mesh, '--nozzle', '1,90,1', '--out', self.path('o'), status=2))
 
+    def test_fit_and_nozzle_are_refused_without_strokes(self):
+        points = [[0, 0, 0], [1, 0, 0], [0, 0, 1]]
+        fit = self.write('fit.json', json.dumps({'points': [{'planned': p, 'measured': p} for p in points]}))
+        empty = self.write('empty.json', json.dumps({'strokes': []}))
+        sheet = self.sheet(.05)
+        for option in (['--fit', fit], ['--fit', sheet], ['--nozzle', '0.001,45,0.02']):
+            for job in (['--plane', '1,0,0,0'], ['--path', empty]):
+                said = self.kerf('cut', sheet, *job, *option, '--out', self.path('o'), status=2)
+                self.assertIn(option[0] + ': requires strokes', said)
+        self.assertFalse(os.path.exists(self.path('o')))
+        # A scene has strokes of its own.
+        stroke = {'laser': {'radius': RADIUS}, 'keys': [{'t': t, 'origin': [.01 * t, .1, 0], 'direction': [0, -1, 0]} for t in (0, 1)]}
+        scene = self.write('scene.json', json.dumps({'bodies': [{'mesh': 'sheet.obj'}], 'strokes': [stroke]}))
+        report = self.cut(scene, '--fit', fit, '--nozzle', '0.001,45,0.02')
+        self.assertEqual([0], [s['stroke'] for s in report['nozzle']])
+        self.assertLess(report['fit']['residuals']['max'], 1e-12)
+
     def test_a_wrapped_drawing_cuts_windows_of_its_size_in_the_near_wall(self):
         square = 'M35 35h30v30h-30z'  # 30 mm, about the middle
         svg = self.write('a.svg', f'<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path d="{square}"/></svg>')

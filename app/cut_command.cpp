@@ -82,7 +82,7 @@ class CutRun {
     if (!written) return written.error();
     for (size_t i = loaded_notes_; i < job_.notes.size(); ++i) warn(job_.notes[i]);
     if (!job_.missed.empty()) warn(missed_text(job_, stroke_file()));
-    summarize(cut_summary(job_, strokes_.size(), options_.knife.planes(), written->size(), options_.out));
+    summarize(cut_summary(job_, strokes_.size(), planes_, written->size(), options_.out));
     return journal;
   }
 
@@ -355,6 +355,7 @@ class CutRun {
     const Status cut = options_.knife.cut(
         document_.world(),
         [&](const Command& command) {
+          ++planes_;
           Result<bool> met = run_knife(command, cutting);
           if (met && !options_.journal.empty()) mark_state(document_, marks_);
           return met;
@@ -454,6 +455,7 @@ class CutRun {
   World::Bounds bounds_;  // as loaded
   double diagonal_ = 0;
   CutJob job_;
+  size_t planes_ = 0;        // that were cut, those of --fit-bed per body
   size_t loaded_notes_ = 0;  // the first notes of job_, reported on loading
   bool warned_scaled_ = false;
 };

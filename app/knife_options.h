@@ -20,8 +20,6 @@ class KnifeOptions {
   // Parses the options. Fails with bad input that names the option.
   Status read();
 
-  size_t planes() const { return planes_.size(); }
-
   // Executes the commands of all planes by `run`, which returns false if a command met nothing, and then of
   // those that make the pieces fit the bed. `world` is the one that `run` changes. Appends notes on planes
   // that met nothing. Precondition: read() succeeded.

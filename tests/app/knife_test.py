@@ -69,6 +69,7 @@ class Knife(unittest.TestCase):
         self.assertIn("--journal: a.kerf is the file of --provenance", run.stderr)
 
     def test_pieces_fit_the_bed(self):
+        self.assertIn("cut along 3 planes; 6 pieces", self.kerf("--fit-bed", "0.2,0.25,0.15", "--solid").stderr)
         report, vertices = self.cut("--fit-bed", "0.2,0.25,0.15", "--solid")
         self.assert_closed(report, 6)  # three along x, two along z
         for piece in vertices:

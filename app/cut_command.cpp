@@ -16,6 +16,7 @@
 #include "core/base/platform.h"
 #include "core/base/result.h"
 #include "core/cut/cut_step.h"
+#include "core/cut/knife.h"
 #include "core/cut/stopwatch.h"
 #include "core/cut/thermal_step.h"
 #include "core/document/command_queue.h"
@@ -68,6 +69,7 @@ class CutRun {
     if (const auto s = options_.job.add_strokes(bounds_, strokes_, job_); !s) return s;
     const MeshReading planned{scene_.bodies.front().unit, false};  // of the mesh of --fit
     if (const auto s = options_.setup.fit_strokes(document_.world(), planned, strokes_, job_); !s) return s;
+    if (const auto s = check_knife_paths(); !s) return s;
     const auto line_of = [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); };
     if (const auto s = options_.setup.check_nozzle(document_.world(), strokes_, line_of, job_); !s) return s;
     if (const auto s = begin_outputs(folder); !s) return s;
@@ -226,6 +228,24 @@ class CutRun {
     }
     if (!options_.provenance.empty() && document_.world().ids() != bodies)
       return bad_input("--provenance: --turn-shells has turned shells; turn them first with kerf prepare");
+    return Done{};
+  }
+
+  // Fails if a stroke of the knife has a strip that is not planar; names the line or the key.
+  Status check_knife_paths() const {
+    for (size_t i = 0; i < strokes_.size(); ++i) {
+      const CutSettings settings = stroke_settings(options_, strokes_[i], diagonal_);
+      if (settings.laser.radius > 0) continue;
+      const auto key = first_pose_off_plane({strokes_[i].keys, settings.laser.range});
+      if (!key) continue;
+      const auto line = options_.job.line_of(i, *key);
+      const std::string where = line ? "line " + std::to_string(*line)
+                                     : "/strokes/" + std::to_string(i) + "/keys/" + std::to_string(*key);
+      return bad_input(
+          stroke_file() + ": " + where +
+          ": the beam of the knife turns out of the plane of the key before; insert a key between "
+          "them so that each strip is planar");
+    }
     return Done{};
   }
 

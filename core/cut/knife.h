@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,14 +59,17 @@ struct KnifePath {
   Interval range;           // m along the beam
 };
 
+// Returns the index of the first pose whose strip from the pose before is not planar, i.e. at which the beam
+// turns out of the plane; nullopt if all strips are planar. O(poses).
+std::optional<size_t> first_pose_off_plane(const KnifePath& path);
+
 // Cuts bodies along the surface of a path by a cut of no width. Faces that it meets are split along the
 // planes of its strips, which may continue across the rest of such a face. Parts that the surface passes
 // right through become pieces, and those of solids are closed by walls in the surface. The rest keeps the new
 // edges and stays connected; the delta then lists the body in left_open.
 //
-// Fails like cut_with_plane(), and with bad input if a strip between two poses is not planar, i.e. if the
-// beam turns while it leaves the plane of its first pose. Same preconditions. O(faces + poses * log(faces) +
-// faces met).
+// Fails like cut_with_plane(), and with bad input if a strip between two poses is not planar (see
+// first_pose_off_plane()). Same preconditions. O(faces + poses * log(faces) + faces met).
 Result<StepResult> cut_with_path(World& world, const KnifePath& path, std::span<const BodyId> bodies,
                                  size_t max_faces = CutSettings::kMaxFaces,
                                  const Progress* progress = nullptr);

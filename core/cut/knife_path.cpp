@@ -548,6 +548,13 @@ class PathCut {
 
 }  // namespace
 
+std::optional<size_t> first_pose_off_plane(const KnifePath& path) {
+  for (size_t i = 1; i < path.poses.size(); ++i) {
+    if (!strip_between(path.poses[i - 1], path.poses[i], path.range, i)) return i;
+  }
+  return std::nullopt;
+}
+
 Result<StepResult> cut_with_path(World& world, const KnifePath& path, std::span<const BodyId> bodies,
                                  size_t max_faces, const Progress* progress) {
   KERF_ASSERT(is_settled(world) && path.poses.size() >= 2);

@@ -137,6 +137,19 @@ class Knife(unittest.TestCase):
                     self.assertLess(max(abs(origin + x - centre) for x in corners), 1)
             self.assertAlmostEqual(volume, piece["volume"], delta=1e-6)
 
+    def test_a_knife_that_leaves_its_plane_is_refused_with_file_stroke_and_key(self):
+        def key(t, x, z, *direction):
+            return {"t": t, "origin": [x, 1, z], "direction": direction}
+        knife = {"radius": 0, "range": [0, 2]}
+        strokes = [{"laser": knife, "keys": [key(0, -1, 0.1, 0, -1, 0), key(1, 1, 0.1, 0, -1, 0)]},
+                   {"laser": knife, "keys": [key(0, -1, 0.2, 0, -1, 0), key(1, 0.2, 0.2, 0, -1, 0), key(2, 1, 0.2, 0, -1, 1)]}]
+        with open(os.path.join(self.folder, "twisted.json"), "w") as file:
+            json.dump({"strokes": strokes}, file)
+        run = self.kerf("--path", "twisted.json", "--solid", "--journal", "a.kerf")
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("twisted.json: /strokes/1/keys/2: the beam of the knife turns out of the plane", run.stderr)
+        self.assertEqual(["box.obj", "twisted.json"], sorted(os.listdir(self.folder)))
+
     def test_wrong_numbers_are_refused_and_write_nothing(self):
         for option, value, words in (("--plane", "0,0,0,1", "normal"), ("--plane", "1,0,0", "four"),
                                      ("--fit-bed", "1,2", "three"), ("--fit-bed", "1,0,1", "positive"),

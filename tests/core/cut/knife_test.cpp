@@ -484,11 +484,20 @@ TEST(KnifePath, leaves_what_it_does_not_pass_through_connected) {
   EXPECT_GT(body.mesh.live_faces(), 98u) << "the new edges stay";
 }
 
+TEST(KnifePath, finds_the_first_pose_off_the_plane_of_the_one_before) {
+  const Vec3 down(0, -1, 0), turned = glm::normalize(Vec3(0, -1, 1));
+  KnifePath path{{{{-1, 1, 0}, down}, {{1, 1, 0}, down}, {{1, 1, 2}, turned}}, {0, 5}};
+  EXPECT_EQ(first_pose_off_plane(path), std::nullopt) << "the beam may turn within the plane of its motion";
+  path.poses.push_back({{3, 1, 2}, down});
+  EXPECT_EQ(first_pose_off_plane(path), 3u);
+}
+
 TEST(KnifePath, refuses_a_strip_that_is_not_planar_and_changes_nothing) {
   World world = world_of(grid(7, 1));
   const World before = world;
   const std::vector<BodyId> ids = world.ids();
   const KnifePath twisted{{{{-1, 1, 0}, {0, -1, 0}}, {{1, 1, 0}, glm::normalize(Vec3(0, -1, 1))}}, {0, 5}};
+  EXPECT_EQ(first_pose_off_plane(twisted), 1u);
   EXPECT_FALSE(cut_with_path(world, twisted, ids).ok());
   expect_same_world(world, before);
 }

@@ -24,6 +24,20 @@ Names format_names() {
   return names;
 }
 
+bool is_one_of(const std::string& name, const Names& names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string must_be_one_of(const std::string& name, const Names& names) {
+  std::string list;
+  for (const std::string& value : names) list += (list.empty() ? "" : ", ") + value;
+  return "\"" + name + "\" is not a valid value; the values are: " + list;
+}
+
+std::string must_be_whole(int least, int most) {
+  return "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+}
+
 // Parses "MIN,MAX", an interval in metres.
 Result<Interval> parse_range(const std::string& text) {
   const auto wrong = bad_input("--range: must be MIN,MAX in metres, 0 <= MIN <= MAX");
@@ -117,7 +131,7 @@ struct Offer {
   }
 };
 
-// Reads one entry of a settings file, unless the command line has the option.
+// Checks one entry of a settings file, and reads it unless the command line has the option.
 struct FileEntry {
   const std::string& key;
   const JsonValue& value;
@@ -130,22 +144,29 @@ struct FileEntry {
     status = found ? Status(Done{}) : Status(found.error());
     if (found && !x) x = *found;
   }
-  void number(const char* option, std::optional<double>& x, const NumberRange&, const char*) {
-    take(option, x, [&] { return value.number(); });
+  void number(const char* option, std::optional<double>& x, const NumberRange& range, const char*) {
+    take(option, x, [&]() -> Result<double> {
+      const auto number = value.number();
+      if (!number || range.contains(*number)) return number;
+      return value.wrong(out_of_limits(*number, range));
+    });
   }
-  void whole(const char* option, std::optional<int>& x, int, int, const char*) {
+  void whole(const char* option, std::optional<int>& x, int least, int most, const char*) {
     take(option, x, [&]() -> Result<int> {
-      if (!value.json().is_number_integer()) return value.wrong("must be a whole number");
-      const auto number = value.json().get<double>();
-      if (!(std::abs(number) <= 1e9)) return value.wrong("is out of range");
+      const double number = value.json().is_number_integer() ? value.json().get<double>() : least - 1.0;
+      if (number < least || number > most) return value.wrong(must_be_whole(least, most));
       return static_cast<int>(number);
     });
   }
   void text(const char* option, std::optional<std::string>& x, const char*) {
     take(option, x, [&] { return value.text(); });
   }
-  void choice(const char* option, std::optional<std::string>& x, const Names&, const char* help) {
-    text(option, x, help);
+  void choice(const char* option, std::optional<std::string>& x, const Names& names, const char*) {
+    take(option, x, [&]() -> Result<std::string> {
+      const auto name = value.text();
+      if (!name || is_one_of(*name, names)) return name;
+      return value.wrong(must_be_one_of(*name, names));
+    });
   }
   void range(const char* option, std::optional<std::string>& x, const char*) {
     take(option, x, [&]() -> Result<std::string> {
@@ -183,14 +204,10 @@ struct Check {
     expect(!x || range.contains(*x), key, x ? out_of_limits(*x, range) : "");
   }
   void whole(const char* key, const std::optional<int>& x, int least, int most, const char*) {
-    expect(!x || (*x >= least && *x <= most), key,
-           "must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    expect(!x || (*x >= least && *x <= most), key, must_be_whole(least, most));
   }
   void choice(const char* key, const std::optional<std::string>& x, const Names& names, const char*) {
-    if (!x || std::find(names.begin(), names.end(), *x) != names.end()) return;
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    expect(false, key, "\"" + *x + "\" is not a valid value; the values are: " + list);
+    expect(!x || is_one_of(*x, names), key, x ? must_be_one_of(*x, names) : "");
   }
   void range(const char*, const std::optional<std::string>& x, const char*) {
     if (!x || !status) return;

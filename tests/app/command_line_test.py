@@ -431,9 +431,13 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(report["settings"]["depth"], 2)
         self.assertEqual(report["settings"]["radius"], 0.03)
         self.assertEqual(report["settings"]["pattern"], "volume")
-        self.write("settings.json", json.dumps({"deepness": 2}))
-        done = self.run_here("cut", "plate.obj", "--out", "out", "--settings", "settings.json")
-        self.assert_refused(done, 2, "/deepness")
+        for wrong, words in (({"deepness": 2}, "is not a setting"), ({"radius": -1}, "must be greater than zero"),
+                             ({"depth": 25}, "must be a whole number from 0 to 24"), ({"depth": 1.5}, "must be a whole number from 0 to 24"),
+                             ({"rim": "red"}, '"red" is not a valid value; the values are: faces, smooth'),
+                             ({"range": [2, 1]}, "must be [min, max]")):
+            self.write("settings.json", json.dumps(wrong))
+            done = self.run_here("cut", "plate.obj", "--out", "out", "--settings", "settings.json")
+            self.assert_refused(done, 2, f"settings.json: /{next(iter(wrong))}: {words}")
 
     def test_depth_0_removes_whole_base_faces(self):
         self.assertEqual(self.cut("--depth", "0")["removed"]["faces"], 2)

@@ -172,6 +172,7 @@ std::string limits_text(const NumberRange& range) {
 std::string out_of_limits(double number, const NumberRange& range) {
   if (!std::isfinite(number)) return "must be a finite number";
   if (range.positive && number <= 0) return "must be greater than zero";
+  if (range.least == 0 && range.most == kFinite.most) return "must not be negative";
   if (range.least == kPositiveShare.least) return "must be at most " + number_text(range.most);
   return "must be " + span_text(range);
 }

@@ -79,7 +79,7 @@ TEST_F(PathFile, rejects_invalid_strokes_with_their_location) {
   expect_refused(keys(good + R"(,{"t": 1, "origin": [0,1,0], "direction": [0,1,0]})"),
                  "/strokes/0/keys/1/direction", "opposite");
   expect_refused(R"({"strokes": [{"laser": {"radius": -1}, "keys": []}]})", "/strokes/0/laser/radius",
-                 "from 0");
+                 "must not be negative");
   expect_refused(R"({"strokes": [{"laser": {"range": [2, 1]}, "keys": []}]})", "/strokes/0/laser/range",
                  "range");
   expect_refused(R"({"strokes": 7})", "/strokes", "array");

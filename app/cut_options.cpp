@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-constexpr NumberRange kFall{0.001, 3600, "s", true};
+constexpr NumberRange kFall{0.001, 3600, "s"};
 
 using Names = std::vector<std::string>;
 

@@ -342,6 +342,7 @@ class CommandLine(unittest.TestCase):
                            (["cut", "plate.obj", "--out", "o", "--scheme", "red"], "one-to-four"),
                            (["cut", "plate.obj", "--out", "o", "--model", "magic"], "thermal"),
                            (["cut", "plate.obj", "--out", "o", "--power", "0"], "--power"),
+                           (["cut", "plate.obj", "--out", "o", "--settle", "0"], "--settle: must be from 0.001 to 3600 s"),
                            (["cut", "plate.obj", "--out", "o", "--target-edge", "nan"], "--target-edge"),
                            (["cut", "plate.obj", "--out", "o", "--format", "fbx"], "--format"),
                            (["cut", "plate.obj", "--out", "o", "--path", "missing.json"], "missing.json"),

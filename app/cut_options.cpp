@@ -51,7 +51,7 @@ Result<Interval> parse_range(const std::string& text) {
   return range;
 }
 
-// Visits the options that a settings file may contain: key, allowed values, help.
+// Visits the options that a settings file may contain, from --radius to --density: key, allowed values, help.
 template <typename Visitor>
 void visit_options(CutOptions& o, Visitor& v) {
   v.number("radius", o.radius, kPositive, "Beam radius in metres (diagonal/400, or that of the path file)");
@@ -289,7 +289,9 @@ void add_cut_options(CLI::App& command, CutOptions& o) {
   command.add_option("--provenance", o.provenance,
                      "The file (.npz) for the source face of each face of the pieces and the barycentric "
                      "coordinates of its corners there");
-  command.add_option("--settings", o.settings, "A JSON file with the same keys; the command line wins");
+  command.add_option(
+      "--settings", o.settings,
+      "A JSON file whose keys are the options from --radius to --density; the command line wins");
 }
 
 Status merge_settings_file(CutOptions& o) {

@@ -37,8 +37,8 @@ struct CutOptions {
 // Adds the options to the subcommand. Parsing fills `options`, which must outlive it.
 void add_cut_options(CLI::App& command, CutOptions& options);
 
-// Fills empty options from the file of --settings, a JSON object with the same keys. The error names the file
-// and the key; some options may be filled then.
+// Fills empty options from the file of --settings, a JSON object with the keys of its help. The error names
+// the file and the key; some options may be filled then.
 Status merge_settings_file(CutOptions& options);
 
 // Checks the values in the order of the options. The error names the first wrong option.

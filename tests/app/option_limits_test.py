@@ -134,6 +134,17 @@ class OptionLimits(unittest.TestCase):
                 done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "s.json")
                 self.assertEqual(done.returncode, 2, (name, number, done.stderr))
 
+    def test_a_settings_file_may_have_the_options_that_its_help_names(self):
+        options = options_of("cut")
+        first, last = re.search(r"options from --([\w-]+) to --([\w-]+);", options["settings"][1]).groups()
+        names = list(options)
+        keys = names[names.index(first):names.index(last) + 1]
+        self.assertGreater(len(keys), 20)
+        for name in names:
+            self.write("s.json", json.dumps({name: None}))
+            done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "s.json")
+            self.assertEqual((done.returncode, "is not a setting" in done.stderr), (2, name not in keys), (name, done.stderr))
+
     def test_leading_zeros_make_no_number_octal(self):
         done = self.run_here("cut", "plate.obj", "--path", "far.json", "--out", "o", "--depth", "010")
         self.assertEqual(done.returncode, 0, done.stderr)

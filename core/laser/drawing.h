@@ -23,7 +23,7 @@ namespace kerf {
 struct DrawnLine {
   std::vector<Vec2> points;  // m; successive points differ
   bool closed = false;
-  std::string layer;  // of DXF; the colour of the stroke in SVG, "#rrggbb", or empty
+  std::string layer;  // of DXF; the colour of the stroke in SVG, "#rrggbb" or a name; or empty
 };
 
 struct Drawing {

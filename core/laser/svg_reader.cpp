@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -62,11 +63,28 @@ std::string_view property(const pugi::xml_node& node, std::string_view name) {
   return found;
 }
 
-// Returns a colour in lower case, and one of three hexadecimal digits with six.
+// Returns a colour rgb(R, G, B), in levels up to 255 or in percent, as "#rrggbb"; "" for any other text.
+std::string hexadecimal_colour(std::string_view colour) {
+  if (!colour.starts_with("rgb(")) return {};
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  SvgValue value(colour.substr(4));
+  std::string name = "#";
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<double> given = value.number();
+    if (!given) return {};
+    const double level = value.consume('%') ? *given * 255 / 100 : *given;
+    const auto rounded = static_cast<size_t>(std::clamp(level, 0.0, 255.0) + 0.5);
+    name += {kDigits[rounded / 16], kDigits[rounded % 16]};
+  }
+  return value.consume(')') ? name : std::string();
+}
+
+// Returns a colour in lower case, and one of numbers as "#rrggbb".
 std::string colour_name(std::string_view colour) {
   std::string name(colour.substr(0, 40));
   for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (name.size() == 4 && name[0] == '#') name = {'#', name[1], name[1], name[2], name[2], name[3], name[3]};
+  if (std::string levels = hexadecimal_colour(name); !levels.empty()) return levels;
   return name == "none" ? std::string() : name;
 }
 

@@ -59,6 +59,19 @@ TEST(DrawingWriter, an_svg_stroke_has_the_layer_of_its_colour) {
   EXPECT_EQ(drawing->lines[2].layer, "");
 }
 
+TEST(DrawingWriter, a_colour_of_an_svg_stroke_in_numbers_has_six_digits) {
+  const auto layer = [](const std::string& stroke) {
+    const auto drawing = read_svg("<svg><path d='M0 0h9' stroke='" + stroke + "'/></svg>", "a.svg", 1e-6);
+    return drawing && drawing->lines.size() == 1 ? drawing->lines[0].layer : "no line";
+  };
+  for (const char* red : {"#ff0000", "#F00", "rgb(255,0,0)", "RGB( 255 , 0 , 0 )", "rgb(100%, 0%, 0%)",
+                          "rgb(300, -5, 0.4)", "rgb(255 0 0)"})
+    EXPECT_EQ(layer(red), "#ff0000") << red;
+  EXPECT_EQ(layer("rgb(10, 50%, 171)"), "#0a80ab");
+  for (const char* other : {"red", "rgb(1,2)", "rgb(1,2,3,4)", "rgb(1,2,3", "rgb()", "hsl(0, 100%, 50%)"})
+    EXPECT_EQ(layer(other), other);
+}
+
 TEST(PostProcessor, sets_the_words_and_decimals_of_a_program) {
   const ProgramStroke stroke{{{0.001, 0, 0}, {1.0 / 3, 0, 0}}, {0, 10}, 500, 0};
   PostProcessor grbl;

@@ -116,8 +116,8 @@ void KnifeOptions::add_to(CLI::App& command) {
                      "in metres");
   command.add_option(
       "--pegs", pegs_text_,
-      "COUNT,DIAMETER,DEPTH,TOLERANCE: join both sides of each cut of a solid by pegs and holes, "
-      "in metres");
+      "COUNT,DIAMETER,DEPTH,TOLERANCE: join both sides of each cut of a solid by pegs and holes, with a gap "
+      "of TOLERANCE around and at the end of each peg, in metres");
   command.add_flag("--lay-flat", lay_flat_,
                    "Lay each piece with its largest cut face on z = 0, in a row along x");
 }

@@ -53,14 +53,23 @@ std::string text_of_sample(const ResolutionChart::Sample& sample, double radius,
   return text + text_of(", %.0f ms. Click to use.", 1000 * sample.seconds);
 }
 
-// "Rim Error 0.2 mm to 3 mm", or the range of times if there are no errors.
+bool have_errors(std::span<const ResolutionChart::Sample> samples) {
+  return std::ranges::all_of(samples, [](const ResolutionChart::Sample& s) { return s.error.has_value(); });
+}
+
+// Returns the heights of the samples in the chart: their errors [m] if all have one, else their times [s].
+std::vector<double> heights_of(std::span<const ResolutionChart::Sample> samples) {
+  const bool are_errors = have_errors(samples);
+  std::vector<double> heights;
+  for (const ResolutionChart::Sample& s : samples) heights.push_back(are_errors ? *s.error : s.seconds);
+  return heights;
+}
+
+// "Rim Error 0.2 mm to 3 mm", or the range of times unless all samples have errors.
 std::string range_of_heights(std::span<const ResolutionChart::Sample> samples, FileUnit unit) {
-  const auto [low, high] = std::ranges::minmax(
-      samples, {}, [](const ResolutionChart::Sample& s) { return s.error.value_or(s.seconds); });
-  if (!samples.front().error)
-    return text_of("Time %.0f to ", 1000 * low.seconds) + text_of("%.0f ms", 1000 * high.seconds);
-  return "Rim Error " + length_label(low.error.value_or(0), unit) + " to " +
-         length_label(high.error.value_or(0), unit);
+  const auto [low, high] = std::ranges::minmax(heights_of(samples));
+  if (!have_errors(samples)) return text_of("Time %.0f to ", 1000 * low) + text_of("%.0f ms", 1000 * high);
+  return "Rim Error " + length_label(low, unit) + " to " + length_label(high, unit);
 }
 
 std::string range_of_faces(std::span<const ResolutionChart::Sample> samples) {
@@ -142,7 +151,7 @@ void ResolutionChart::advance(Document& document, double seconds) {
     seconds_ += passed();
     if (twin_.waiting() > 0) return;
     const double edge = kFractions.at(next_) * history.last_settings().laser.radius;
-    rim_.emplace(twin_.world(), history.step(history.base_of(*history.last_cut())).commands(), edge);
+    rim_.emplace(twin_.world(), history.commands_of(*history.last_cut()), edge);
     return;
   }
   while (!rim_->done() && passed() < seconds) rim_->advance();
@@ -163,13 +172,14 @@ std::optional<double> ResolutionChart::draw(double radius, FileUnit unit,
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + width, at.y + kHeightEms * em}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3);
   LogAxis faces(at.x + 1.2f * em, at.x + width - 1.2f * em);
-  LogAxis errors(at.y + (kHeightEms - 2) * em, at.y + 1.8f * em);
-  const auto height = [](const Sample& s) { return std::max(s.error.value_or(s.seconds), 1e-12); };
-  for (const Sample& s : samples_) faces.add(static_cast<double>(s.faces) + 1), errors.add(height(s));
+  LogAxis heights(at.y + (kHeightEms - 2) * em, at.y + 1.8f * em);
+  std::vector<double> shown = heights_of(samples_);
+  for (double& height : shown) heights.add(height = std::max(height, 1e-12));
+  for (const Sample& s : samples_) faces.add(static_cast<double>(s.faces) + 1);
   std::optional<size_t> nearest;
   std::vector<ImVec2> places;
-  for (const Sample& s : samples_)
-    places.push_back({faces.place(static_cast<double>(s.faces) + 1), errors.place(height(s))});
+  for (size_t i = 0; i < samples_.size(); ++i)
+    places.push_back({faces.place(static_cast<double>(samples_[i].faces) + 1), heights.place(shown[i])});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   for (size_t i = 0; hovered && i < places.size(); ++i) {
     if (!nearest || std::abs(places[i].x - pointer.x) < std::abs(places[*nearest].x - pointer.x)) nearest = i;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
@@ -19,17 +20,30 @@ class TwinCutTest : public testing::Test {
     world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
     first = Document(std::move(world));
   }
-  static CutSettings settings(double edge) {
+  static CutSettings settings(double edge, double radius = 0.1) {
     CutSettings s;
-    s.laser.radius = 0.1;
+    s.laser.radius = radius;
     s.resolution.target_edge = edge;
     return s;
   }
-  void draw_stroke(double y) {
-    first.apply(BeginStroke{settings(0.025), {{-0.3, y, 5}, {0, 0, -1}}});
+  void cut_first() {
+    while (first.waiting() > 0) ASSERT_TRUE(first.step(8).ok());
+  }
+  void draw_stroke(double y, double radius = 0.1) {
+    first.apply(BeginStroke{settings(0.025, radius), {{-0.3, y, 5}, {0, 0, -1}}});
     first.apply(MoveBeam{{{0.3, y, 5}, {0, 0, -1}}});
     first.apply(EndStroke{});
-    while (first.waiting() > 0) ASSERT_TRUE(first.step(8).ok());
+    cut_first();
+  }
+  void recut(double edge, double radius) {
+    ASSERT_TRUE(first.apply(Recut{settings(edge, radius)}).ok());
+    cut_first();
+  }
+  std::vector<ResolutionChart::Sample> chart_samples() {
+    ResolutionChart chart;
+    chart.begin(first);
+    while (chart.busy()) chart.advance(first, 1);
+    return chart.samples();
   }
   void cut_twin() {
     while (twin.waiting() > 0) ASSERT_TRUE(twin.step(8).ok());
@@ -90,6 +104,23 @@ TEST_F(TwinCutTest, restarts_for_another_document) {
   first = Document();
   EXPECT_TRUE(twin.follow(first, coarse));
   EXPECT_EQ(twin.world().live_faces(), 0u);
+}
+
+TEST_F(TwinCutTest, the_chart_of_a_recut_measures_its_rim_against_the_new_radius) {
+  draw_stroke(0.1, 0.16);
+  const std::vector<ResolutionChart::Sample> fresh = chart_samples();
+  ASSERT_EQ(fresh.size(), ResolutionChart::kFractions.size());
+  first.apply(Undo{});
+  draw_stroke(0.1);
+  recut(0.025, 0.16);
+  const std::vector<ResolutionChart::Sample> again = chart_samples();
+  ASSERT_EQ(again.size(), fresh.size());
+  for (size_t i = 0; i < fresh.size(); ++i) {
+    ASSERT_TRUE(fresh[i].error && again[i].error) << i;
+    EXPECT_EQ(*again[i].error, *fresh[i].error) << i;
+    EXPECT_EQ(again[i].faces, fresh[i].faces) << i;
+  }
+  EXPECT_LT(*again.back().error, *again.front().error);
 }
 
 // Against the distances from the segment that the axis sweeps, seen along the beam.

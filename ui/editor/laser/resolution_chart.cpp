@@ -31,9 +31,9 @@ std::vector<SweptCylinder> sweeps_of(const std::vector<Command>& stroke, const P
   Pose from = begin->pose;
   for (const Command& command : stroke) {
     const auto* move = std::get_if<MoveBeam>(&command);
+    if (move == nullptr && !sweeps.empty()) continue;
     const Pose to = move != nullptr ? move->pose : begin->pose;
-    if (move != nullptr || sweeps.empty())
-      sweeps.emplace_back(placement.to_body(from), placement.to_body(to), laser.radius, laser.range);
+    sweeps.emplace_back(placement.to_body(from), placement.to_body(to), laser.radius, laser.range);
     from = to;
   }
   return sweeps;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/world/world.h"
@@ -121,6 +122,24 @@ TEST_F(TwinCutTest, the_chart_of_a_recut_measures_its_rim_against_the_new_radius
     EXPECT_EQ(again[i].faces, fresh[i].faces) << i;
   }
   EXPECT_LT(*again.back().error, *again.front().error);
+}
+
+TEST_F(TwinCutTest, time_within_a_stroke_leaves_the_swept_volume_unchanged) {
+  const auto at = [](double x, double y) { return Pose{{x, y, 5}, {0, 0, -1}}; };
+  // Around a corner, so that a beam that returned to its start would sweep another volume.
+  std::vector<Command> stroke{BeginStroke{settings(0.025), at(-0.3, 0.1)}, MoveBeam{at(0.3, 0.1)},
+                              MoveBeam{at(0.3, 0.4)}, EndStroke{}};
+  for (const Command& command : stroke) ASSERT_TRUE(first.apply(command).ok());
+  cut_first();
+  const auto error = [&] {
+    RimError rim(first.world(), stroke, 0.2);
+    while (!rim.done()) rim.advance();
+    return rim.error();
+  };
+  const std::optional<double> steady = error();
+  ASSERT_TRUE(steady.has_value());
+  stroke.insert(stroke.begin() + 2, Command(AdvanceTime{1}));
+  EXPECT_EQ(error(), steady);
 }
 
 // Against the distances from the segment that the axis sweeps, seen along the beam.

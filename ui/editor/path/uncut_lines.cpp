@@ -39,6 +39,7 @@ std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const In
   std::vector<UncutLine> all;
   for (size_t i = 0; i < strokes.size(); ++i) {
     const StrokePath& stroke = strokes[i];
+    const double high = stroke.range.value_or(range).high;
     UncutLine line{i, 0, {}};
     for (size_t k = 0; k + 1 < stroke.keys.size(); ++k) {
       const Pose &from = stroke.keys[k], &to = stroke.keys[k + 1];
@@ -49,7 +50,7 @@ std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const In
         const Pose beam{glm::mix(from.origin, to.origin, share),
                         glm::normalize(glm::mix(from.direction, to.direction, share))};
         const auto hit = first_hit(world, beam);
-        const bool meets = hit && *hit <= range.high;
+        const bool meets = hit && *hit <= high;
         if (!meets || parts.empty()) parts.emplace_back();
         if (meets) parts.back().push_back(beam.origin + *hit * beam.direction);
         met += meets ? 1 : 0;

@@ -19,8 +19,9 @@ struct UncutLine {
   std::vector<std::vector<Vec3>> parts;  // points of the surfaces [m]
 };
 
-// Returns the strokes with segments along which the axis of a beam of this range [m] meets a face for more
-// than kUncutShare of their way. One query of the trees per sample, of which a segment has 33.
+// Returns the strokes with segments along which the axis of the beam meets a face for more than kUncutShare
+// of their way. `range`: of the beam [m] for strokes without one of their own. One query of the trees per
+// sample, of which a segment has 33.
 std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const Interval& range,
                                    const World& world);
 

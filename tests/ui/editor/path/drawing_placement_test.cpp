@@ -171,6 +171,18 @@ TEST(UncutLines, are_the_parts_where_the_axis_of_the_beam_meets_a_face) {
   EXPECT_TRUE(uncut_lines(strokes, {0, 1.5}, world).empty()) << "the beam ends before the sheet";
 }
 
+TEST(UncutLines, end_where_the_own_range_of_a_stroke_ends) {
+  const World world = world_with(test::grid(8, 4));
+  StrokePath stroke;
+  stroke.keys = {{{0.5, 2, 0.5}, {0, -1, 0}}, {{1, 2, 0.5}, {0, -1, 0}}};
+  stroke.times = {0, 1};
+  EXPECT_EQ(uncut_lines(std::span(&stroke, 1), {0, 5}, world).size(), 1u);
+  stroke.range = Interval{0, 1.5};  // as the drawing tool with Depth "First Surface"
+  EXPECT_TRUE(uncut_lines(std::span(&stroke, 1), {0, 5}, world).empty());
+  stroke.range = Interval{0, 5};
+  EXPECT_EQ(uncut_lines(std::span(&stroke, 1), {0, 1.5}, world).size(), 1u);
+}
+
 TEST(DrawingPlacement, long_drawings_have_a_bounded_number_of_points) {
   std::vector<DrawnLine> lines;
   for (int i = 0; i < 500; ++i) lines.push_back({{{0, 0.0001 * i}, {0.2, 0.0001 * i}}, false, ""});

@@ -382,12 +382,10 @@ class LaserFeature : public Feature {
     if (row_button(chart_.busy() ? "Cutting..." : "Compare Five Resolutions", 1, disabled_reason,
                    kCompareTip))
       chart_.begin(workspace_.session.document);
-    if (!workspace_.session.document.history().last_cut()) return;
-    const double radius = workspace_.session.document.history().last_settings().laser.radius;
     const ResolutionControls& now = workspace_.laser.resolution;
     const auto current =
         now.rule == Resolution::Rule::kTargetEdge ? std::optional(now.edge_fraction) : std::nullopt;
-    const auto fraction = chart_.draw(radius, workspace_.view.frame.unit, current);
+    const auto fraction = chart_.draw(workspace_.view.frame.unit, current);
     if (!fraction) return;
     workspace_.laser.resolution.rule = Resolution::Rule::kTargetEdge;
     workspace_.laser.resolution.edge_fraction = *fraction;

@@ -126,18 +126,42 @@ void RimError::advance() {
   }
 }
 
+bool ResolutionChart::Stroke::is_same(const Stroke& other) const {
+  const auto are_same = [](const Pose& a, const Pose& b) {
+    return a.origin == b.origin && a.direction == b.direction;
+  };
+  return step == other.step && radius == other.radius && pattern == other.pattern &&
+         std::ranges::equal(poses, other.poses, are_same);
+}
+
+ResolutionChart::Stroke ResolutionChart::last_stroke(const UndoStack& history) {
+  const size_t step = history.base_of(*history.last_cut());
+  const Laser& laser = history.last_settings().laser;
+  Stroke stroke{step, laser.radius, laser.pattern, {}};
+  for (const Command& command : history.step(step).commands()) {
+    if (const auto* start = std::get_if<BeginStroke>(&command)) stroke.poses.push_back(start->pose);
+    if (const auto* move = std::get_if<MoveBeam>(&command)) stroke.poses.push_back(move->pose);
+  }
+  return stroke;
+}
+
 void ResolutionChart::begin(const Document& document) {
   KERF_ASSERT(document.history().last_cut());
   clear();
   next_ = 0;
+  stroke_ = last_stroke(document.history());
   revision_ = document.revision();
 }
 
 void ResolutionChart::advance(Document& document, double seconds) {
   using Clock = std::chrono::steady_clock;
   const UndoStack& history = document.history();
+  if (!busy() && samples_.empty()) return;
+  if (document.revision() != revision_) {
+    if (busy() || !history.last_cut() || !last_stroke(history).is_same(stroke_)) return clear();
+    revision_ = document.revision();
+  }
   if (!busy()) return;
-  if (!history.last_cut() || document.revision() != revision_) return clear();
   ResolutionControls controls;
   controls.edge_fraction = kFractions.at(next_);
   twin_.follow(document, controls);
@@ -161,8 +185,7 @@ void ResolutionChart::advance(Document& document, double seconds) {
   if (++next_ == kFractions.size()) twin_.forget();
 }
 
-std::optional<double> ResolutionChart::draw(double radius, FileUnit unit,
-                                            std::optional<double> current) const {
+std::optional<double> ResolutionChart::draw(FileUnit unit, std::optional<double> current) const {
   if (samples_.empty()) return std::nullopt;
   const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -197,7 +220,7 @@ std::optional<double> ResolutionChart::draw(double radius, FileUnit unit,
       {at.x + width - ImGui::CalcTextSize(right.c_str()).x - 0.4f * em, at.y + (kHeightEms - 1.3f) * em},
       colours::secondary(), right.c_str());
   if (!nearest) return std::nullopt;
-  ImGui::SetTooltip("%s", text_of_sample(samples_[*nearest], radius, unit).c_str());
+  ImGui::SetTooltip("%s", text_of_sample(samples_[*nearest], stroke_.radius, unit).c_str());
   return clicked ? std::optional(samples_[*nearest].fraction) : std::nullopt;
 }
 

@@ -57,7 +57,9 @@ class ResolutionChart {
   // Starts over with the last stroke. Precondition: the document has one.
   void begin(const Document& document);
   bool busy() const { return next_ < kFractions.size(); }
-  // Cuts or measures for about `seconds`. Ends if the stroke is no longer the last one, or cannot be copied.
+  // Cuts or measures for about `seconds` while busy. Clears the chart if the stroke is no longer the last one
+  // or has another radius, if it cannot be copied, or if it is recut before the chart is complete. Called
+  // once per frame.
   void advance(Document& document, double seconds);
   void clear() { *this = ResolutionChart(); }
 
@@ -66,13 +68,24 @@ class ResolutionChart {
 
   // Draws the samples in the current panel: faces to the right, errors upwards, both logarithmic. A ring
   // marks the sample of the fraction `current`. Returns the fraction that was clicked.
-  std::optional<double> draw(double radius, FileUnit unit, std::optional<double> current) const;
+  std::optional<double> draw(FileUnit unit, std::optional<double> current) const;
 
  private:
+  // The properties of a stroke on which the samples depend; its resolution is not one of them.
+  struct Stroke {
+    size_t step = 0;    // of the history, without its recuts
+    double radius = 0;  // m
+    Pattern pattern = Pattern::kVolume;
+    std::vector<Pose> poses;
+    bool is_same(const Stroke& other) const;
+  };
+  static Stroke last_stroke(const UndoStack& history);
+
   TwinCut twin_;
   std::vector<Sample> samples_;
   size_t next_ = kFractions.size();
-  size_t revision_ = 0;          // of the document
+  Stroke stroke_;
+  size_t revision_ = 0;          // of the document when stroke_ was the last one
   double seconds_ = 0;           // of cutting, for the next sample
   std::optional<RimError> rim_;  // of the next sample, once it is cut
 };

@@ -40,11 +40,11 @@ class TwinCutTest : public testing::Test {
     ASSERT_TRUE(first.apply(Recut{settings(edge, radius)}).ok());
     cut_first();
   }
-  std::vector<ResolutionChart::Sample> chart_samples() {
+  ResolutionChart chart_of_last_stroke() {
     ResolutionChart chart;
     chart.begin(first);
     while (chart.busy()) chart.advance(first, 1);
-    return chart.samples();
+    return chart;
   }
   void cut_twin() {
     while (twin.waiting() > 0) ASSERT_TRUE(twin.step(8).ok());
@@ -109,12 +109,12 @@ TEST_F(TwinCutTest, restarts_for_another_document) {
 
 TEST_F(TwinCutTest, the_chart_of_a_recut_measures_its_rim_against_the_new_radius) {
   draw_stroke(0.1, 0.16);
-  const std::vector<ResolutionChart::Sample> fresh = chart_samples();
+  const std::vector<ResolutionChart::Sample> fresh = chart_of_last_stroke().samples();
   ASSERT_EQ(fresh.size(), ResolutionChart::kFractions.size());
   first.apply(Undo{});
   draw_stroke(0.1);
   recut(0.025, 0.16);
-  const std::vector<ResolutionChart::Sample> again = chart_samples();
+  const std::vector<ResolutionChart::Sample> again = chart_of_last_stroke().samples();
   ASSERT_EQ(again.size(), fresh.size());
   for (size_t i = 0; i < fresh.size(); ++i) {
     ASSERT_TRUE(fresh[i].error && again[i].error) << i;
@@ -140,6 +140,28 @@ TEST_F(TwinCutTest, time_within_a_stroke_leaves_the_swept_volume_unchanged) {
   ASSERT_TRUE(steady.has_value());
   stroke.insert(stroke.begin() + 2, Command(AdvanceTime{1}));
   EXPECT_EQ(error(), steady);
+}
+
+TEST_F(TwinCutTest, a_finished_chart_lasts_until_its_stroke_is_no_longer_the_last_one) {
+  draw_stroke(0.1);
+  ResolutionChart chart = chart_of_last_stroke();
+  const auto size = [&] {
+    chart.advance(first, 1);
+    return chart.samples().size();
+  };
+  ASSERT_EQ(size(), ResolutionChart::kFractions.size());
+  recut(0.05, 0.1);
+  EXPECT_EQ(size(), ResolutionChart::kFractions.size()) << "only the resolution has changed";
+  recut(0.05, 0.16);
+  EXPECT_EQ(size(), 0u) << "its radius was another";
+
+  chart = chart_of_last_stroke();
+  draw_stroke(-0.1);
+  EXPECT_EQ(size(), 0u);
+  chart = chart_of_last_stroke();
+  first.apply(Undo{});
+  draw_stroke(-0.2);  // the same step of the history
+  EXPECT_EQ(size(), 0u);
 }
 
 // Against the distances from the segment that the axis sweeps, seen along the beam.

@@ -74,12 +74,15 @@ void UncutMarks::begin(const Workspace& workspace, std::span<const StrokePath> s
 }
 
 void UncutMarks::update(const Workspace& workspace) {
-  const bool is_done = workspace.session.document.waiting() == 0 && !workspace.changes.is_pending();
+  const Document& document = workspace.session.document;
+  if (document.revision() != revision_) clear();
+  const bool is_done = document.waiting() == 0 && !workspace.changes.is_pending();
   if (strokes_.empty() || !is_done) return;
   const std::vector<StrokePath> all = std::exchange(strokes_, {});
-  if (workspace.session.document.history().position() == position_before_) return;  // it failed
+  if (document.history().position() == position_before_) return;  // it failed
   const double diagonal = workspace.world().bounds().diagonal();
   lines_ = uncut_lines(all, workspace.laser.settings(diagonal).laser.range, workspace.world());
+  revision_ = document.revision();
 }
 
 void UncutMarks::draw(Workspace& workspace, ImDrawList& list) const {

@@ -25,14 +25,16 @@ struct UncutLine {
 std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const Interval& range,
                                    const World& world);
 
-// Marks the lines that the thermal beam left uncut in the last run of strokes, in amber, until the world
-// changes.
+// Marks the lines that the thermal beam left uncut in the last run of strokes, in amber, until the next
+// stroke or another change of the world.
 class UncutMarks {
  public:
   // Call before strokes are cut as a whole; those of the geometric model or of a knife leave nothing uncut.
   void begin(const Workspace& workspace, std::span<const StrokePath> strokes);
-  // Call once per frame: finds the lines when the strokes were cut.
+  // Call once per frame: finds the lines when the strokes were cut, and clears them when another stroke
+  // begins.
   void update(const Workspace& workspace);
+  // Call when the world changes other than by a stroke.
   void clear() { lines_.clear(); }
 
   size_t size() const { return lines_.size(); }
@@ -44,6 +46,7 @@ class UncutMarks {
   std::vector<StrokePath> strokes_;  // being cut
   size_t position_before_ = 0;       // of the history
   std::vector<UncutLine> lines_;
+  size_t revision_ = 0;  // of the document when lines_ were found
 };
 
 }  // namespace kerf

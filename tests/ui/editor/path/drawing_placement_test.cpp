@@ -183,6 +183,28 @@ TEST(UncutLines, end_where_the_own_range_of_a_stroke_ends) {
   EXPECT_EQ(uncut_lines(std::span(&stroke, 1), {0, 1.5}, world).size(), 1u);
 }
 
+TEST(UncutMarks, last_until_the_next_stroke) {
+  Workspace workspace;
+  Document& document = workspace.session.document;
+  document = Document(world_with(test::grid(8, 4)));
+  workspace.laser.model = Model::kThermal;
+  std::vector<StrokePath> strokes(1);
+  strokes[0].keys = {{{0.5, 2, 0.5}, {0, -1, 0}}, {{1, 2, 0.5}, {0, -1, 0}}};
+  strokes[0].times = {0, 1};
+  const auto begin_stroke = [&] { document.apply(BeginStroke{CutSettings(), {{9, 2, 9}, {0, -1, 0}}}); };
+  UncutMarks marks;
+  marks.begin(workspace, strokes);
+  begin_stroke();  // a beam that leaves the sheet as it is
+  document.apply(EndStroke{});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+  marks.update(workspace);
+  marks.update(workspace);
+  EXPECT_EQ(marks.size(), 1u);
+  begin_stroke();
+  marks.update(workspace);
+  EXPECT_EQ(marks.size(), 0u);
+}
+
 TEST(DrawingPlacement, long_drawings_have_a_bounded_number_of_points) {
   std::vector<DrawnLine> lines;
   for (int i = 0; i < 500; ++i) lines.push_back({{{0, 0.0001 * i}, {0.2, 0.0001 * i}}, false, ""});

@@ -114,6 +114,20 @@ class Path(WindowTest):
         self.assertNotIn("drawing", report)
         self.assertEqual((report["undo_depth"], report["state_hash"]), (0, first["state_hash"]))
 
+    def test_esc_stops_the_emitter_before_it_removes_a_drawing(self):
+        editor = self.open_drawing(self.SQUARE)
+        editor.point_at(0.1, 0.1)
+        editor.do("shift", "u")
+        editor.part("emitter target")
+        editor.do("u")
+        self.assertTrue(editor.ask("report")["emitter"]["firing"])
+        editor.do("Escape")
+        report = editor.ask("report")
+        self.assertFalse(report["emitter"]["firing"])
+        self.assertIn("drawing", report)
+        editor.do("Escape")
+        self.assertNotIn("drawing", editor.quit())
+
     def test_a_drawing_along_the_view_is_cut_by_the_knife_and_its_journal_repeats_it(self):
         editor = self.open_drawing(self.SQUARE.replace("400", "200").replace('"200" x', '"100" x'))
         whole = editor.ask("report")["state_hash"]

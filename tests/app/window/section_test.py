@@ -186,6 +186,23 @@ class Section(WindowTest):
         editor.do("Return")
         self.assertEqual(editor.quit()["state_hash"], opened["state_hash"])
 
+    def test_esc_stops_the_emitter_before_it_discards_a_polyline(self):
+        editor = self.open(SPHERE)
+        editor.point_at(0.1, 0.1)
+        editor.do("shift", "u")
+        editor.part("emitter target")
+        self.select_shape(editor, 2)
+        for at in ((0.15, 0.5), (0.5, 0.7), (0.85, 0.5)):
+            editor.click(*at)
+        editor.do("u")
+        self.assertTrue(editor.ask("report")["emitter"]["firing"])
+        editor.do("Escape")
+        before = editor.ask("report")
+        self.assertFalse(before["emitter"]["firing"])
+        editor.do("Return")
+        editor.settle()
+        self.assertEqual(editor.quit()["undo_depth"], before["undo_depth"] + 1)
+
     def test_the_button_cuts_at_the_section_plane(self):
         editor = self.open_with_panel()
         editor.point_at(0.1, 0.9)

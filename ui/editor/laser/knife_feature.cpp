@@ -294,7 +294,7 @@ class KnifeFeature : public Feature {
     polyline_.click(press.event);
     return std::make_unique<ClickOnce>([] {});
   }
-  bool cancel() override {
+  bool discard_draft() override {
     const bool any = !polyline_.empty();
     polyline_.clear();
     return any;

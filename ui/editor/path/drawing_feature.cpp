@@ -85,7 +85,8 @@ class DrawingFeature : public Feature {
     end_exploded_view(workspace_.world(), workspace_.view);
     return std::make_unique<DragOfDrawing>(*this);
   }
-  bool cancel() override {
+  // A drawing cannot be restored, so Esc removes it only if there is nothing to cancel.
+  bool clear_selection() override {
     if (!is_shown() || workspace_.input.held) return false;
     remove();
     return true;

@@ -50,9 +50,11 @@ class Feature {
   // Begins the interaction of a press; null if this feature does not handle it.
   virtual std::unique_ptr<Interaction> begin_interaction(const Press&) { return nullptr; }
   // Called on Esc: cancel() for all features, to cancel work in progress; if all return false and no
-  // interaction is cancelled, clear_selection() until one returns true. Both return true if they had an
+  // interaction is cancelled, discard_draft() until one returns true, which discards what the user has drawn
+  // but not applied; if none does, clear_selection() until one returns true. All return true if they had an
   // effect.
   virtual bool cancel() { return false; }
+  virtual bool discard_draft() { return false; }
   virtual bool clear_selection() { return false; }
   // Returns true while a new text field waits for the keyboard focus; typed keys are deferred meanwhile.
   virtual bool awaits_focus() const { return false; }

@@ -359,6 +359,9 @@ void EditorScreen::escape() {
   if (stopped) return;
   if (workspace_.input.held && workspace_.input.held->cancel()) return workspace_.input.held.reset();
   for (const auto& feature : features_) {
+    if (feature->discard_draft()) return;
+  }
+  for (const auto& feature : features_) {
     if (feature->clear_selection()) return;
   }
 }

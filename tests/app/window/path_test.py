@@ -222,6 +222,23 @@ class Path(WindowTest):
         editor.do("ctrl", "z")
         self.assertNotIn("uncut_lines", editor.quit())
 
+    def test_a_path_that_meets_no_surface_does_not_count_as_run(self):
+        editor = self.open(SPHERE)
+        program = os.path.join(self.folder, "aside.nc")
+        with open(program, "w") as file:
+            file.write("G21 G90\nG0 X90000 Y0 Z2000\nM3 S1\nG1 X90200 F120000\nM5\n")
+        editor.drop(program)
+        editor.settle()
+        editor.do("ctrl", "Return")
+        editor.settle()
+        self.assertIn("Path meets no surface.", editor.ask("report")["messages"])
+        editor.press("l")
+        editor.drag(ACROSS)
+        editor.press("o")
+        editor.do("ctrl", "z")  # of the path, which is still to be run
+        report = editor.quit()
+        self.assertEqual((report["path"]["strokes"], report["undo_depth"]), (0, 1))
+
     def test_a_faulty_drawing_leaves_a_message_and_nothing_else(self):
         editor = self.open_drawing("<svg><path d='M0 0 L'/></svg>")
         report = editor.quit()

@@ -135,6 +135,7 @@ class PathFeature : public Feature {
 
   void update(double) override {
     load_waiting();
+    record_finished_run();
     uncut_.update(workspace_);
     if (workspace_.input.held == nullptr) keep();
     workspace_.laser.planned_speed = path_.speed();
@@ -144,6 +145,7 @@ class PathFeature : public Feature {
   void on_document_opened() override {
     path_ = path_of_entry(head_entry(workspace_.session.scene, kPathKey), workspace_.world());
     kept_ = path_.changes();
+    runs_from_.reset();
     uncut_ = UncutMarks();
   }
   // Draws the path while its tool is active or its panel is unfolded.
@@ -321,7 +323,7 @@ class PathFeature : public Feature {
   void run() {
     if (const auto why = rejection_reason(path_.strokes())) return workspace_.message.error(*why);
     cancel_stroke(workspace_);
-    path_.record_run(workspace_.session.document.history().position());
+    runs_from_ = workspace_.session.document.history().position();
     std::function<Resolution(double)> resolution;
     if (at_panel_resolution_)
       resolution = [controls = workspace_.laser.resolution](double radius) { return controls.of(radius); };
@@ -333,12 +335,19 @@ class PathFeature : public Feature {
     workspace_.changes.change("Cutting the path", false, cut_along(std::move(commands), "Path"), "Path cut.");
     workspace_.links.cut_once = true;
   }
+  // A run that was stopped or that met no surface leaves no step in the history.
+  void record_finished_run() {
+    if (!runs_from_ || workspace_.changes.is_pending()) return;
+    const size_t from = *std::exchange(runs_from_, std::nullopt);
+    if (workspace_.session.document.history().position() > from) path_.record_run(from);
+  }
 
   Workspace& workspace_;
   PathWork path_;
   bool at_panel_resolution_ = false;  // run with the Resolution panel, not like kerf cut --path
   PathPanel panel_;
   UncutMarks uncut_;
+  std::optional<size_t> runs_from_;             // position of the history before the current run
   size_t kept_ = 0;                             // PathWork::changes() of the path stored in the document
   std::vector<std::filesystem::path> waiting_;  // path files, until a document is open
 };

@@ -189,11 +189,17 @@ class RulerFeature : public Feature {
    public:
     DragOfEnd(RulerFeature& feature, EndOfMark end) : feature_(feature), end_(end) {}
     void move(const InputEvent&) override {
+      if (over()) return;
       const auto surface = point_under_pointer(feature_.workspace_);
-      if (!surface || end_.mark >= feature_.list_.marks().size()) return;
+      if (!surface) return;
       if (!std::exchange(edits_, true)) feature_.list_.begin_edit();
       feature_.list_.move(end_.mark, end_.to, *surface);
       feature_.keep();
+    }
+    // Undo and redo may remove the measurement, or put a circle in its place.
+    bool over() const override {
+      const std::vector<RulerMark>& marks = feature_.list_.marks();
+      return end_.mark >= marks.size() || marks[end_.mark].circle.has_value();
     }
     const char* words() const override { return "Ruler: drag the end over the surface"; }
 

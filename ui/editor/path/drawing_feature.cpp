@@ -164,6 +164,7 @@ class DrawingFeature : public Feature {
       }
     }
     void move(const InputEvent& event) override {
+      if (over()) return;
       const Vec2 pointer = feature_.workspace_.input.pointer;
       if (kind_) return feature_.drag_handle(*kind_, pointer, (event.mods & GLFW_MOD_SHIFT) != 0);
       feature_.move_to(pointer + offset_);
@@ -173,6 +174,8 @@ class DrawingFeature : public Feature {
       feature_.preview_.invalidate();
       return true;
     }
+    // An action may remove the drawing.
+    bool over() const override { return !feature_.drawing_; }
     const char* words() const override {
       if (!kind_) return "Moving the drawing";
       return *kind_ == DrawingHandle::Kind::kSize ? "Scaling the drawing"

@@ -106,6 +106,23 @@ TEST(RulerFeature, dragging_an_end_moves_it_in_one_undo_entry) {
   EXPECT_EQ(bench.kept(), before);
 }
 
+TEST(RulerFeature, the_drag_of_an_end_is_over_when_undo_removes_its_measurement) {
+  RulerBench bench;
+  bench.click({-0.5, 0, 0.8});
+  bench.click({0.5, 0, 0.8});
+  const nlohmann::json before = bench.kept();
+  const nlohmann::json& to = before[0]["to"];
+  const Vec2 end = bench.seen({to[0].get<double>(), to[1].get<double>(), to[2].get<double>()});
+  bench.handle(InputEvent::Kind::kPress, end);
+  ASSERT_NE(bench.workspace.input.held, nullptr);
+  bench.run("ruler.undo");
+  bench.handle(InputEvent::Kind::kMove, end + Vec2(0, -60));
+  EXPECT_EQ(bench.workspace.input.held, nullptr);
+  EXPECT_TRUE(bench.kept().is_null());
+  bench.run("ruler.redo");
+  EXPECT_EQ(bench.kept(), before);
+}
+
 TEST(RulerFeature, shows_the_measurements_of_an_opened_document) {
   RulerBench bench;
   bench.workspace.session.scene.others =

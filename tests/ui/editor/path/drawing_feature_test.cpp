@@ -1,0 +1,74 @@
+#include "ui/editor/shared/feature.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/editor_features.h"
+#include "tests/support/made_meshes.h"
+#include "ui/editor/shared/viewport.h"
+#include "ui/editor/shell/editor_screen.h"
+
+namespace kerf {
+namespace {
+
+// An editor with a sphere of radius 1 before the eye, on which a drawing is placed.
+struct DrawingBench {
+  DrawingBench() {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    workspace.session.document = Document(std::move(world));
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.finish();
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "kerf-drawing-feature.svg";
+    std::ofstream(file) << R"(<svg width="500mm" height="250mm" viewBox="0 0 500 250">)"
+                        << R"(<rect width="400" height="200" x="10" y="10" stroke="red"/></svg>)";
+    for (const auto& taker : workspace.links.file_takers) {
+      if (taker.accepts(file)) taker.take(file);
+    }
+    drawing().update(0);
+  }
+  Feature& drawing() {
+    const auto imports = [](const auto& feature) {
+      return std::ranges::any_of(feature->actions(),
+                                 [](const UserAction& action) { return action.id == "drawing.import"; });
+    };
+    return **std::ranges::find_if(editor.features, imports);
+  }
+  std::optional<Area> place_of(const std::string& landmark) {
+    Landmarks landmarks(std::nullopt);
+    drawing().add_landmarks(landmarks);
+    return landmarks.find(landmark);
+  }
+  void handle(InputEvent::Kind kind, Vec2 at) {
+    handle_mouse(workspace, editor.features, {kind, at, GLFW_MOUSE_BUTTON_LEFT}, true);
+  }
+  void run(const std::string& id) {
+    for (const UserAction& a : editor.catalogue.actions) {
+      if (a.id == id) a.run();
+    }
+  }
+
+  test::EditorFeatures editor;
+  Workspace& workspace = editor.workspace;
+};
+
+TEST(DrawingFeature, a_drag_is_over_when_an_action_removes_the_drawing) {
+  for (const char* place : {"drawing", "drawing corner 2", "drawing turn"}) {
+    DrawingBench bench;
+    const auto at = bench.place_of(place);
+    ASSERT_TRUE(at.has_value()) << place << ": " << bench.workspace.message.text;
+    bench.handle(InputEvent::Kind::kPress, at->at);
+    ASSERT_NE(bench.workspace.input.held, nullptr) << place;
+    bench.run("drawing.cancel");
+    bench.handle(InputEvent::Kind::kMove, at->at + Vec2(20, 10));
+    EXPECT_EQ(bench.workspace.input.held, nullptr) << place;
+    EXPECT_FALSE(bench.place_of("drawing").has_value()) << place;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -367,6 +367,10 @@ Result<double> evaluate_number(std::string_view text, const NumberUnit& unit) {
 
 void report_entries_to(Message* message) { entry_message() = message; }
 
+void report_refused_entry(std::string sentence) {
+  if (Message* message = entry_message()) message->object(std::move(sentence));
+}
+
 std::string NumberEntry::shown(double value) const { return number_text(value, format, scale) + unit.name; }
 
 std::optional<double> NumberEntry::entered(std::string_view text, double present) const {

@@ -96,6 +96,9 @@ Result<double> evaluate_number(std::string_view text, const NumberUnit& unit = {
 // Sets the message line for refused or limited entries of fields and sliders; nullptr: none. It must
 // outlive the drawn frames.
 void report_entries_to(Message* message);
+// Reports a number that its field accepts but that does not fit other numbers, by a sentence as of a field:
+// "From stays 3 mm: it must be less than To".
+void report_refused_entry(std::string sentence);
 
 // The format and limits of a number in a text field.
 struct NumberEntry {

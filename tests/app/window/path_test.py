@@ -414,6 +414,25 @@ class Path(WindowTest):
         self.assertGreater(report["strokes"], 2)
         self.assertLessEqual(report["strokes"], 2 * took + 1)
 
+    def test_an_emitter_at_its_target_is_refused_with_a_reason(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel("laser")
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.1, 0.1)
+        editor.do("shift", "u")
+        for field in ("Target", "Position"):
+            for axis in range(3):
+                editor.click(f"{field} {axis}", 0.5, 0.5)
+                editor.press("ctrl", "a")
+                editor.type("3")
+                editor.do("Return")
+        report = editor.quit()
+        self.assertIn("Position stays the same: it must differ from the target", report["messages"][-1])
+        self.assertEqual(report["emitter"]["at"][:2], report["emitter"]["target"][:2])
+        self.assertNotEqual(report["emitter"]["at"], report["emitter"]["target"])
+
 
 if __name__ == "__main__":
     unittest.main()

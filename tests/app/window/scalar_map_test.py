@@ -49,6 +49,21 @@ class ScalarMap(WindowTest):
         self.assertEqual(self.map_of(editor), before)
         editor.quit()
 
+    def test_an_end_typed_beyond_the_other_is_refused_with_a_reason(self):
+        editor = self.open_map("longest edge")
+        before = self.map_of(editor)
+        for end, number, reason in (("From", "1 km", "it must be less than To"),
+                                    ("To", "-1 km", "it must be more than From")):
+            editor.click(end, 0.5, 0.5)
+            editor.press("ctrl", "a")
+            editor.type(number)
+            editor.do("Return")
+            message = editor.ask("report")["messages"][-1]
+            self.assertIn(f"{end} stays ", message)
+            self.assertIn(reason, message)
+        self.assertEqual(self.map_of(editor), before)
+        editor.quit()
+
     def test_follows_a_cut_and_its_undo(self):
         editor = self.open_map("level")
         before = self.map_of(editor)

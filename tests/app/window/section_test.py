@@ -186,6 +186,17 @@ class Section(WindowTest):
         editor.do("Return")
         self.assertEqual(editor.quit()["state_hash"], opened["state_hash"])
 
+    def test_a_normal_of_zeros_is_refused_with_a_reason(self):
+        editor = self.open_with_panel()
+        editor.point_at(0.1, 0.9)
+        editor.do("z")
+        editor.click("section X", 0.5, 0.5)
+        before = numbers(editor.ask("report"))
+        self.type_into(editor, "Normal 0", "0")
+        report = editor.quit()
+        self.assertEqual(numbers(report), before)
+        self.assertIn("Normal stays the same: one of its numbers must not be 0", report["messages"][-1])
+
     def test_esc_stops_the_emitter_before_it_discards_a_polyline(self):
         editor = self.open(SPHERE)
         editor.point_at(0.1, 0.1)

@@ -596,8 +596,10 @@ class ScalarMapFeature : public Feature {
     ScalarRange range = map_.range();
     bool changed = draw_histogram(map_.histogram(), map_.scale(), range);
     if (begin_properties("range")) {
-      changed = draw_end("From", range.low, "Value of the first colour; lower values share it.") || changed;
-      changed = draw_end("To", range.high, "Value of the last colour; higher values share it.") || changed;
+      const bool typed_low = draw_end("From", range.low, "Value of the first colour; lower values share it.");
+      const bool typed_high = draw_end("To", range.high, "Value of the last colour; higher values share it.");
+      if ((typed_low || typed_high) && !(range.low < range.high)) refuse_end(typed_low);
+      changed = changed || typed_low || typed_high;
       figure_row("Faces", grouped(map_.histogram().faces), "Number of faces with a value.");
       end_properties();
     }
@@ -611,6 +613,12 @@ class ScalarMapFeature : public Feature {
       mark_last_item((std::string("scalar ") + name).c_str());
       tooltip(tip);
     }
+  }
+  void refuse_end(bool low) const {
+    const ScalarRange& range = map_.range();
+    const std::string shown = quantity_text(*map_.shown(), low ? range.low : range.high, view_.frame.unit);
+    report_refused_entry(low ? "From stays " + shown + ": it must be less than To"
+                             : "To stays " + shown + ": it must be more than From");
   }
   bool draw_end(const char* name, double& end, const char* meaning) {
     switch (*map_.shown()) {

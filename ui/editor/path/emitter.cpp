@@ -168,11 +168,17 @@ class EmitterFeature : public Feature {
     const NumberUnit unit = file_unit(workspace_.view.frame.unit);
     const double size = workspace_.world().loaded_bounds().diagonal();
     if (fields_.vector("Position", at, "%.5g", "Position of the emitter, in the unit of the file.", unit,
-                       size))
+                       size)) {
+      if (at == emitter_.target())
+        report_refused_entry("Position stays the same: it must differ from the target");
       emitter_.move_to(at);
+    }
     if (fields_.vector("Target", target, "%.5g", "Target of the emitter, in the unit of the file.", unit,
-                       size))
+                       size)) {
+      if (target == emitter_.at())
+        report_refused_entry("Target stays the same: it must differ from the position");
       emitter_.aim_at(target);
+    }
     end_properties();
     if (removed) emitter_.remove();
   }

@@ -465,7 +465,9 @@ void PathPanel::draw_selected(PathWork& path, const World& world, FileUnit unit)
                    "", kPositive) ||
       edited;
   end_properties();
-  if (!edited || direction == Vec3(0)) return;
+  if (!edited) return;
+  if (direction == Vec3(0))
+    return report_refused_entry("Direction stays the same: one of its numbers must not be 0");
   direction = beam_direction(direction);
   path.begin_edit();
   path.set(point, {target - direction * distance, direction}, distance);

@@ -241,7 +241,9 @@ class SectionFeature : public Feature {
                                 file_unit(view_.frame.unit), session_.world().loaded_bounds().diagonal());
     typed |= fields_.vector("Normal", plane.normal, "%.4g",
                             "Normal of the plane, of any length. The side it points to is hidden.");
-    if (typed && plane.normal != Vec3(0)) {
+    if (typed && plane.normal == Vec3(0)) {
+      report_refused_entry("Normal stays the same: one of its numbers must not be 0");
+    } else if (typed) {
       view_.look.section = SectionPlane::facing(plane.point, plane.normal);
       view_.picture_old = true;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/base/assert.h"
 #include "core/document/extract.h"
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
@@ -205,8 +206,10 @@ void PieceNumbers::follow(const World& world, bool replaced, bool may_return, Pi
   waits_ = !all_settled(world);
   if (waits_) return;
   std::map<PieceId, Known*> present;
+  std::vector<std::optional<PieceId>> before;
   for (Known& known : known_) {
     if (known.present && !replaced_) present.emplace(known.id, &known);
+    before.push_back(known.present ? std::optional(known.id) : std::nullopt);
     known.present = false;
   }
   std::vector<Known> created;
@@ -221,6 +224,7 @@ void PieceNumbers::follow(const World& world, bool replaced, bool may_return, Pi
   }
   replaced_ = false;
   match(created);
+  if (replaced) move_selection(before, looks);
   if (!may_return) std::erase_if(known_, [](const Known& k) { return !k.present; });
   for (const Known& known : known_) {
     if (known.present) looks[known.id].number = known.number == known.id.label ? 0 : known.number;
@@ -252,6 +256,26 @@ void PieceNumbers::match(std::vector<Known>& created) {
     piece.number = free_number(piece);
     known_.push_back(piece);
   }
+}
+
+// Moves the selection with the pieces whose labels changed within their body. `before`: the earlier ids of
+// the first known pieces, nullopt for missing ones.
+void PieceNumbers::move_selection(const std::vector<std::optional<PieceId>>& before, PieceMap& looks) const {
+  KERF_ASSERT(before.size() <= known_.size());
+  const auto was_selected = [&](const PieceId& id) {
+    const auto look = looks.find(id);
+    return look != looks.end() && look->second.selected;
+  };
+  std::map<PieceId, bool> now;
+  std::vector<PieceId> left;
+  for (size_t i = 0; i < before.size(); ++i) {
+    const Known& known = known_[i];
+    if (!before[i] || !known.present || before[i]->body != known.id.body) continue;
+    now[known.id] = was_selected(*before[i]);
+    if (*before[i] != known.id) left.push_back(*before[i]);
+  }
+  for (const PieceId& id : left) now.emplace(id, false);
+  for (const auto& [id, is_selected] : now) looks[id].selected = is_selected;
 }
 
 // Returns its label, unless another piece of the same body has that number.

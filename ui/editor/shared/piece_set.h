@@ -73,9 +73,10 @@ void follow_world(const World& world, const Delta& delta, PieceMap& looks);
 class PieceNumbers {
  public:
   // Updates the numbers in `looks` after pieces appeared or disappeared. `replaced`: after undo, redo or a
-  // recut, when a label may denote another piece. `may_return`: missing pieces may return by redo or a recut
-  // in progress; their numbers are kept for them. While a search for separated parts is open, the update is
-  // deferred to the next call. O(n log n) in the pieces, plus new pieces times those that may return.
+  // recut, when a label may denote another piece; the selection then moves with its piece. `may_return`:
+  // missing pieces may return by redo or a recut in progress; their numbers are kept for them. While a search
+  // for separated parts is open, the update is deferred to the next call. O(n log n) in the pieces, plus new
+  // pieces times those that may return.
   void follow(const World& world, bool replaced, bool may_return, PieceMap& looks);
   // Returns true if an update is deferred.
   bool waits() const { return waits_; }
@@ -92,6 +93,7 @@ class PieceNumbers {
 
   static std::vector<Known> pieces_of(const World& world);
   void match(std::vector<Known>& created);
+  void move_selection(const std::vector<std::optional<PieceId>>& before, PieceMap& looks) const;
   uint32_t free_number(const Known& piece) const;
 
   std::vector<Known> known_;

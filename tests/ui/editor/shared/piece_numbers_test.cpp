@@ -14,11 +14,7 @@ namespace {
 // A row of strips, beside a larger one that stays: cut off one by one, from the left or from the right.
 class CutStrips : public testing::Test {
  protected:
-  CutStrips() {
-    World world;
-    world.add(make_body("plate", test::build(test::grid(16, 1))));
-    document = Document(std::move(world));
-  }
+  CutStrips() { restart(); }
 
   static CutSettings settings(double edge) {
     CutSettings s;
@@ -60,15 +56,37 @@ class CutStrips : public testing::Test {
     walk(true);
   }
 
-  // By number: the middle of each piece along x, in hundredths.
+  // Opens the uncut plate again.
+  void restart() {
+    World world;
+    world.add(make_body("plate", test::build(test::grid(16, 1))));
+    document = Document(std::move(world));
+  }
+
+  // As cut({-0.4, -0.2, 0.4}), but from the right; the faces are not removed yet.
+  void cut_from_the_right() {
+    document.apply(BeginStroke{settings(0.005), {{0.4, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{0.4, 1, 0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{-0.2, 1, 0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{-0.2, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{-0.4, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{-0.4, 1, 0.7}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+  }
+
+  // The middle of a piece along x, in hundredths.
+  long place_of(const PieceId& id) const {
+    const Body& body = document.world().body(id.body);
+    const Piece& piece = body.pieces[id.label];
+    return std::lround(100 * (body.middle() + piece.moments.first / piece.area).x);
+  }
+
+  // By number: the place of each piece.
   std::map<uint32_t, long> places() const {
     std::map<uint32_t, long> places;
     for (const PieceRow& row : list_pieces(document.world(), looks)) {
       if (row.id.label == 0) continue;
-      const Body& body = document.world().body(row.id.body);
-      const Piece& piece = body.pieces[row.id.label];
-      const double x = (body.middle() + piece.moments.first / piece.area).x;
-      EXPECT_TRUE(places.emplace(row.number, std::lround(100 * x)).second) << "two pieces of one number";
+      EXPECT_TRUE(places.emplace(row.number, place_of(row.id)).second) << "two pieces of one number";
     }
     return places;
   }
@@ -111,23 +129,34 @@ TEST_F(CutStrips, numbers_keep_their_positions_through_recuts_undo_and_redo) {
 TEST_F(CutStrips, numbers_keep_their_positions_when_labels_are_swapped) {
   cut({-0.4, -0.2, 0.4});
   const auto before = places();
-  World world;
-  world.add(make_body("plate", test::build(test::grid(16, 1))));
-  document = Document(std::move(world));
+  restart();
   numbers.follow(document.world(), true, true, looks);
-  document.apply(BeginStroke{settings(0.005), {{0.4, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{0.4, 1, 0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{-0.2, 1, 0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{-0.2, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{-0.4, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{-0.4, 1, 0.7}, {0, -1, 0}}});
-  document.apply(EndStroke{});
+  cut_from_the_right();
   while (document.waiting() > 0) {
     ASSERT_TRUE(document.step(1).ok());
     numbers.follow(document.world(), false, true, looks);
   }
   EXPECT_EQ(places(), before);
   EXPECT_FALSE(looks.empty()) << "the labels are the same: nothing was shown";
+}
+
+TEST_F(CutStrips, the_selection_stays_on_its_piece_when_labels_are_swapped) {
+  cut({-0.4, -0.2, 0.4});
+  PieceId right;
+  for (const PieceRow& row : list_pieces(document.world(), looks)) {
+    if (row.id.label != 0 && place_of(row.id) > 40) right = row.id;
+  }
+  ASSERT_NE(right.label, 0u);
+  const long before = place_of(right);
+  select_piece(looks, right, false);
+  restart();
+  cut_from_the_right();
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  follow_world(document.world(), Delta{}, looks);
+  numbers.follow(document.world(), true, true, looks);
+  ASSERT_EQ(selected_count(looks), 1u);
+  EXPECT_EQ(place_of(*first_selected(looks)), before);
+  EXPECT_NE(*first_selected(looks), right) << "the labels are the same: nothing was shown";
 }
 
 TEST_F(CutStrips, a_piece_keeps_its_number_and_name_when_it_is_hidden_and_shown) {

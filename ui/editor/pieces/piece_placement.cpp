@@ -457,7 +457,10 @@ namespace {
 
 class TransformFeature : public Feature {
  public:
-  explicit TransformFeature(Workspace& workspace) : workspace_(workspace) {}
+  explicit TransformFeature(Workspace& workspace) : workspace_(workspace) {
+    workspace.links.time_holds.push_back(
+        [this] { return moving_.moves() ? "Bodies do not move while you place a piece." : nullptr; });
+  }
 
   std::vector<PanelPart> panel_parts() override {
     return {{"pieces.placement", [this] { draw_placement(); }}};

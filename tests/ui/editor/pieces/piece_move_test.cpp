@@ -231,6 +231,17 @@ TEST(Moving, requests_nothing_when_cancelled_or_unmoved) {
   EXPECT_FALSE(b.workspace.changes.has_requests());
 }
 
+TEST(Moving, holds_time_until_it_ends) {
+  Bench b;
+  EXPECT_EQ(b.workspace.time_disabled_reason(), nullptr);
+  for (const int end : {GLFW_KEY_ENTER, GLFW_KEY_ESCAPE}) {
+    b.run("pieces.move");
+    EXPECT_NE(b.workspace.time_disabled_reason(), nullptr);
+    EXPECT_TRUE(b.key(end));
+    EXPECT_EQ(b.workspace.time_disabled_reason(), nullptr);
+  }
+}
+
 TEST(Moving, a_right_press_cancels_a_drag) {
   Bench b;
   const std::vector<PieceHandle> handles = b.handles();

@@ -150,16 +150,6 @@ const std::array<BindingPreset, 2> kPresets{{
       {"view.wire", "Shift+Z"}}},
 }};
 
-void set_binding(Bindings& bindings, std::span<const UserAction> usual, const std::string& id,
-                 const std::string& key) {
-  const UserAction* action = find_action(usual, id);
-  if (action != nullptr && action->shortcut == key) {
-    bindings.erase(id);
-  } else {
-    bindings[id] = key;
-  }
-}
-
 // The contributions of all features by their ids.
 template <typename T, typename Contribute>
 std::map<std::string, T> by_id(const Features& features, const Contribute& contribute) {
@@ -347,13 +337,24 @@ const UserAction* clash_of(std::span<const UserAction> actions, const UserAction
   return nullptr;
 }
 
+void drop_default_keys(Bindings& bindings, std::span<const UserAction> usual) {
+  const std::vector<UserAction> bound = bind_keys({usual.begin(), usual.end()}, bindings);
+  std::erase_if(bindings, [&](const auto& binding) {
+    const UserAction* action = find_action(usual, binding.first);
+    return action != nullptr && action->shortcut == binding.second &&
+           clash_of(bound, *action, action->also) == nullptr;
+  });
+}
+
 void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::string& action,
             const KeyChord& chord) {
   const std::vector<UserAction> bound = bind_keys({usual.begin(), usual.end()}, bindings);
   const UserAction* changed = find_action(bound, action);
   if (changed == nullptr) return;
-  if (const UserAction* other = clash_of(bound, *changed, chord)) set_binding(bindings, usual, other->id, "");
-  set_binding(bindings, usual, action, chord_text(chord));
+  if (const UserAction* other = clash_of(bound, *changed, chord))
+    bindings[other->id] = chord == other->also ? other->shortcut : "";
+  bindings[action] = chord_text(chord);
+  drop_default_keys(bindings, usual);
 }
 
 std::span<const BindingPreset> binding_presets() { return kPresets; }

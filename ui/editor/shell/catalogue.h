@@ -63,7 +63,8 @@ std::span<const char* const> gesture_layout();
 // overlays lie below others. The workspace and the catalogue, which is filled later, must outlive them.
 Features make_features(Workspace& workspace, const Catalogue& catalogue);
 
-// Keys set by the user: chords by the ids of actions; an empty chord removes the default key.
+// Keys set by the user: chords by the ids of actions, in place of the default key and its alternative; an
+// empty chord removes them.
 using Bindings = std::map<std::string, std::string>;
 
 // Returns the action of this id, or null.
@@ -77,8 +78,13 @@ std::vector<UserAction> bind_keys(std::vector<UserAction> actions, const Binding
 const UserAction* clash_of(std::span<const UserAction> actions, const UserAction& action,
                            const KeyChord& chord);
 
-// Gives the chord to an action, and removes it from the action that clashes. `usual` are the actions with
-// their default keys: bindings equal to these are dropped. An empty chord removes the key of the action.
+// Drops bindings equal to the default keys of `usual`, except for those that keep the alternative of the
+// default (UserAction::also) from a clash.
+void drop_default_keys(Bindings& bindings, std::span<const UserAction> usual);
+
+// Gives the chord to an action, and removes it from the action that clashes, which keeps its key if the chord
+// was its alternative. `usual` are the actions with their default keys: bindings equal to these are dropped
+// (see drop_default_keys). An empty chord removes the key of the action.
 void rebind(Bindings& bindings, std::span<const UserAction> usual, const std::string& action,
             const KeyChord& chord);
 

@@ -49,9 +49,9 @@ Result<Bindings> parse_keymap(const std::string& text, const std::string& file,
     const auto chord = parse_chord(name);
     if (!key.is_string() || (!chord && !name.empty()))
       return bad_input(file + ": unknown key " + name + " of " + id);
-    const std::string chord_name = chord ? chord_text(*chord) : "";
-    if (chord_name != action->shortcut) bindings[id] = chord_name;
+    bindings[id] = chord ? chord_text(*chord) : "";
   }
+  drop_default_keys(bindings, usual);
   const std::string clash = clash_in(bind_keys({usual.begin(), usual.end()}, bindings));
   return clash.empty() ? Result<Bindings>(std::move(bindings)) : bad_input(file + ": " + clash);
 }

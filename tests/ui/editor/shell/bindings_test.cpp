@@ -74,6 +74,24 @@ TEST_F(BindingsTest, a_key_is_taken_from_its_previous_action_and_defaults_are_no
   EXPECT_TRUE(bindings.empty());
 }
 
+TEST_F(BindingsTest, an_alternative_is_taken_without_the_key_and_stays_taken) {
+  const KeyChord key = *parse_chord("Ctrl+Shift+Z"), alternative = *parse_chord("Ctrl+Y");
+  ASSERT_EQ(action(usual, "edit.redo").shortcut, "Ctrl+Shift+Z");
+  ASSERT_EQ(action(usual, "edit.redo").also, alternative);
+  Bindings bindings;
+  rebind(bindings, usual, "view.wire", alternative);
+  for (int i = 0; i < 2; ++i) {
+    const std::vector<UserAction> bound = bind_keys(usual, bindings);
+    EXPECT_EQ(action(bound, "view.wire").shortcut, "Ctrl+Y");
+    EXPECT_EQ(action(bound, "edit.redo").shortcut, "Ctrl+Shift+Z");
+    EXPECT_FALSE(action(bound, "edit.redo").has_key(alternative));
+    expect_no_clash(bound);
+    rebind(bindings, usual, "edit.redo", key);
+  }
+  rebind(bindings, usual, "view.wire", {'W', 0});
+  EXPECT_TRUE(bindings.empty());
+}
+
 TEST_F(BindingsTest, a_context_key_does_not_conflict_with_the_default_one) {
   EXPECT_EQ(clash_of(usual, action(usual, "pieces.move"), {'G', 0}), nullptr);
   const UserAction* other = clash_of(usual, action(usual, "pieces.move"), {'R', 0});

@@ -48,20 +48,21 @@ void draw_body(const Body& body, FileUnit unit) {
   }
 }
 
-void draw_frame(const SceneDescription& scene, ViewState& view, Settings& settings) {
+void draw_frame(DocumentSession& session, ViewState& view, Settings& settings) {
   FileFrame frame = view.frame;
   property("Up");
   bool changed = up_axis_combo(frame.up);
   property("Unit");
   changed = unit_combo(frame.unit) || changed;
-  if (changed) set_frame(frame, scene, view, settings);
+  if (changed) set_frame(frame, session, view, settings);
 }
 
 // Draws the unit and the up axis in which the world is shown, which are remembered for mesh files of this
 // format, the contents of the files of the bodies, and the repairs on import.
-void draw_file_panel(const World& world, const SceneDescription& scene, ViewState& view, Settings& settings) {
+void draw_file_panel(DocumentSession& session, ViewState& view, Settings& settings) {
+  const World& world = session.world();
   if (begin_properties("frame")) {
-    draw_frame(scene, view, settings);
+    draw_frame(session, view, settings);
     end_properties();
   }
   const std::vector<BodyId> ids = world.ids();
@@ -88,10 +89,7 @@ class FilesFeature : public Feature {
   }
 
   std::vector<PanelPart> panel_parts() override {
-    return {{"file", [this] {
-               draw_file_panel(workspace_.world(), workspace_.session.scene, workspace_.view,
-                               workspace_.settings);
-             }}};
+    return {{"file", [this] { draw_file_panel(workspace_.session, workspace_.view, workspace_.settings); }}};
   }
   std::vector<UserAction> actions() override {
     return joined({open_actions(),
@@ -262,7 +260,7 @@ class FilesFeature : public Feature {
   }
   UserAction frame_action(const std::string& name, const FileFrame& frame, const char* tip) {
     return {.name = name, .tip = tip, .run = [this, frame] {
-              set_frame(frame, workspace_.session.scene, workspace_.view, workspace_.settings);
+              set_frame(frame, workspace_.session, workspace_.view, workspace_.settings);
             }};
   }
 

@@ -78,10 +78,14 @@ void show_in_frame(ViewState& view, const FileFrame& frame) {
   view.picture_old = true;
 }
 
-void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings) {
+void set_frame(const FileFrame& frame, DocumentSession& session, ViewState& view, Settings& settings) {
+  const std::string kind = mesh_kind(session.scene);
+  const bool is_mesh_file = session.file.empty() && !kind.empty() && session.files.size() == 1 &&
+                            mesh_format(session.files.front().extension().string()).has_value();
+  if (frame != view.frame && !is_mesh_file) set_head_entry(session.scene, kKey, frame_to_json(frame));
   show_in_frame(view, frame);
   view.frame_asked_for.clear();
-  if (const std::string kind = mesh_kind(scene); !kind.empty()) settings.frames[kind] = frame;
+  if (!kind.empty()) settings.frames[kind] = frame;
 }
 
 std::string extents_label(const Vec3& size, FileUnit unit) {

@@ -11,6 +11,8 @@
 
 namespace kerf {
 
+struct DocumentSession;
+
 // Frames: the displayed unit and up axis of the open document. Positions keep the values of the file.
 
 // Returns the format of the only mesh file of a scene, such as "stl", under which the frame is remembered;
@@ -36,7 +38,8 @@ void record_frame(SceneDescription& scene, const FileFrame& frame);
 void show_in_frame(ViewState& view, const FileFrame& frame);
 
 // Shows the world in the user's frame, remembers it for mesh files of this format, and ends the question.
-void set_frame(const FileFrame& frame, const SceneDescription& scene, ViewState& view, Settings& settings);
+// Another frame is an unsaved change of the document, unless that is an opened mesh file without a journal.
+void set_frame(const FileFrame& frame, DocumentSession& session, ViewState& view, Settings& settings);
 
 // Formats an area in file units, like length_label: "2.75 cm^2".
 std::string area_label(double area, FileUnit unit);

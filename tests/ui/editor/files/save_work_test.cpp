@@ -10,6 +10,7 @@
 #include "tests/support/game_files.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/editor/editor.h"
+#include "ui/editor/shared/file_frames.h"
 
 namespace kerf {
 namespace {
@@ -96,6 +97,24 @@ TEST_F(SaveWork, a_saved_document_reopens_with_its_lights_and_view) {
   ASSERT_EQ(work->scene.lights.size(), 1u);
   EXPECT_EQ(work->scene.lights.front().at, Vec3(0, 7, 0));
   EXPECT_TRUE(work->scene.view.has_value());
+}
+
+TEST_F(SaveWork, another_unit_of_a_saved_document_is_unsaved_and_reopens) {
+  set_frame({FileUnit::kMillimetre, UpAxis::kY}, session_, view_, settings_);
+  EXPECT_FALSE(unsaved()) << "the settings keep it for meshes of this format";
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  set_frame({FileUnit::kMillimetre, UpAxis::kY}, session_, view_, settings_);
+  EXPECT_FALSE(unsaved()) << "the same unit";
+  for (const FileUnit unit : {FileUnit::kInch, FileUnit::kMetre}) {
+    set_frame({unit, UpAxis::kY}, session_, view_, settings_);
+    EXPECT_TRUE(unsaved());
+    ASSERT_TRUE(save(folder_ / "mine.kerf"));
+    EXPECT_FALSE(unsaved());
+    const auto work = open_file(folder_ / "mine.kerf");
+    ASSERT_TRUE(work.ok()) << work.error().message;
+    const World::Bounds bounds = session_.world().loaded_bounds();
+    EXPECT_EQ(select_frame(work->scene, false, bounds, settings_).frame.unit, unit);
+  }
 }
 
 TEST_F(SaveWork, a_scene_stores_everything_but_the_cuts_and_reports_it) {

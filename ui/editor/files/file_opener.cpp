@@ -590,10 +590,7 @@ void FileOpener::make_shadows() {
 void FileOpener::open(std::vector<std::filesystem::path> files) {
   KERF_ASSERT(!files.empty());
   workspace_.message.clear();
-  if (workspace_.opening.partial_world) {
-    workspace_.opening.partial_world.reset();
-    show_empty_stage();
-  }
+  drop_partial_world();
   workspace_.opening.loader.start(order_of(std::move(files)), stage_is_empty_);
 }
 
@@ -605,6 +602,7 @@ void FileOpener::open_recovered() {
   KERF_ASSERT(!workspace_.opening.recoverable.empty());
   LoadRequest order = order_of({});
   order.left = workspace_.opening.recoverable.front().journal;
+  drop_partial_world();
   workspace_.opening.loader.start(std::move(order));
 }
 
@@ -635,6 +633,7 @@ void FileOpener::open_with(const std::filesystem::path& mesh) {
   found_ = mesh;
   order.moved[replaced_mesh_] = found_;
   workspace_.message.clear();
+  drop_partial_world();
   workspace_.opening.loader.start(std::move(order), stage_is_empty_);
 }
 

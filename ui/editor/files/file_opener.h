@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/platform.h"
@@ -183,6 +184,10 @@ class FileOpener {
   LoadRequest order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
   void show_empty_stage();
+  // Empties the stage before other files are read, so that the camera frames these.
+  void drop_partial_world() {
+    if (std::exchange(workspace_.opening.partial_world, std::nullopt)) show_empty_stage();
+  }
   void take(Result<LoadedFiles> loaded, LoadRequest order);
   bool is_wrong_mesh(const LoadRequest& order, const std::string& error) const;
   void show(LoadedFiles loaded);

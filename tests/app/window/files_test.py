@@ -208,6 +208,28 @@ class Files(WindowTest):
         self.assertGreater(faces["keep files"], 4000)
         self.assertLess(faces["reload files"], 1000)
 
+    def test_a_reloaded_file_is_seen_from_the_same_place(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        part, scene = (os.path.join(folder.name, name) for name in ("part.obj", "scene.json"))
+        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), part)
+        with open(scene, "w") as file:
+            json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        editor = self.open(scene)
+        editor.point_at(0.05, 0.05)
+        home = editor.ask("report")["view"]["eye"]
+        editor.do("ctrl", "3")
+        editor.pause(3)
+        before = editor.ask("report")["view"]["eye"]
+        self.assertNotEqual(before, home)
+        with open(part, "a") as file:
+            file.write("# the same mesh\n")
+        editor.pause(3)
+        editor.click("reload files", 0.5, 0.5)
+        editor.pause(3)
+        for new, old in zip(editor.quit()["view"]["eye"], before):
+            self.assertAlmostEqual(new, old, places=3)
+
     def test_saving_reports_a_mesh_that_another_program_has_changed(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

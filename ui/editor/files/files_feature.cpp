@@ -136,8 +136,11 @@ class FilesFeature : public Feature {
     decide();
     const bool asks =
         decisions_.question.open() || workspace_.services.browser.open || workspace_.changes.has_requests();
-    if (!asks) decisions_.leaving = nullptr;  // the user cancelled the file dialog
-    if (!workspace_.opening.loader.busy() && !opener_.missing()) companions_.clear();  // was cancelled
+    if (!asks) decisions_.leaving = nullptr;                        // the user cancelled the file dialog
+    if (!workspace_.opening.loader.busy() && !opener_.missing()) {  // was cancelled or failed
+      companions_.clear();
+      kept_view_.reset();
+    }
     opener_.take_loaded(may_replace_document());
     ask_about_mesh();
     opener_.make_shadows();
@@ -156,6 +159,7 @@ class FilesFeature : public Feature {
   }
   void on_document_opened() override {
     watch_again();
+    reloaded_view_ = std::exchange(kept_view_, std::nullopt);
     replaced_altered_ = std::exchange(altered_, {});
     workspace_.links.take(std::exchange(companions_, {}));
   }
@@ -308,6 +312,7 @@ class FilesFeature : public Feature {
     workspace_.opening.loader.cancel();
     workspace_.changes.forget();
     companions_.clear();
+    kept_view_.reset();
     pending_ = {then, workspace_.session.scene.others, workspace_.view.look.lights};
     then();
   }
@@ -403,8 +408,8 @@ class FilesFeature : public Feature {
     opener_.open(files_to_reload(workspace_.session));
   }
   void restore_view() {
-    if (!kept_view_ || workspace_.opening.loader.busy()) return;
-    const View view = *std::exchange(kept_view_, std::nullopt);
+    if (!reloaded_view_) return;
+    const View view = *std::exchange(reloaded_view_, std::nullopt);
     const double diagonal = workspace_.world().loaded_bounds().diagonal();
     if (diagonal > kOtherSize * kept_diagonal_ || kept_diagonal_ > kOtherSize * diagonal) return;
     workspace_.view.camera.look(view.eye, view.target);
@@ -574,6 +579,7 @@ class FilesFeature : public Feature {
   std::set<fs::path> replaced_altered_;    // likewise, of the document that was open before
   double check_at_ = 0;                    // s of the clock, of the next check
   std::optional<View> kept_view_;          // during a reload
+  std::optional<View> reloaded_view_;      // after it, until the camera has it
   double kept_diagonal_ = 0;               // m, of the world at its begin
   std::optional<Captured> screenshot_;     // waits until this is drawn
 };

@@ -225,7 +225,7 @@ const char* prepare_disabled_reason(std::span<const PieceRow> pieces, const Prep
   if (p.tool == Preparation::Tool::kSubdivide && *faces.after > kMaxFaces)
     return "The result would exceed 16 million faces.";
   if (p.tool == Preparation::Tool::kSimplifyToFaces && p.faces >= faces.before)
-    return "The mesh already has fewer faces.";
+    return "The mesh already has no more faces than that.";
   return nullptr;
 }
 
@@ -384,7 +384,8 @@ std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& p
   if (!faces.after)
     return now + (faces.before == 1 ? " is" : " are") + " simplified to a tolerance of " +
            length_label(preparation.error, unit) + ".";
-  if (*faces.after == faces.before) return now + (faces.before == 1 ? " moves." : " move.");
+  if (preparation.tool == PrepareTool::kSmooth) return now + (faces.before == 1 ? " moves." : " move.");
+  if (*faces.after == faces.before) return "The mesh has " + now + " already.";
   return become + "about " + grouped(*faces.after) + ".";
 }
 

@@ -22,6 +22,15 @@ TEST(PreparePanel, shows_numbers_in_the_unit_of_the_file) {
   EXPECT_EQ(forecast_text(pieces, {.tool = Tool::kSmooth}, FileUnit::kMetre), "69 666 faces move.");
 }
 
+TEST(PreparePanel, a_mesh_with_as_many_faces_is_not_simplified) {
+  const std::vector<PieceRow> pieces{{.id = {}, .name = "bunny", .faces = 7000}};
+  for (const size_t faces : {size_t{7000}, size_t{9000}}) {
+    EXPECT_EQ(forecast_text(pieces, {.faces = faces}, FileUnit::kMetre), "The mesh has 7 000 faces already.");
+    EXPECT_STREQ(prepare_disabled_reason(pieces, {.faces = faces}),
+                 "The mesh already has no more faces than that.");
+  }
+}
+
 TEST(PreparePanel, names_the_pieces_it_applies_to) {
   World world;
   const BodyId id = world.add(make_body("ball", build(sphere(6, 8, 1))));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -389,10 +389,11 @@ void GraphPanel::find_row(GraphState& graph, const Document& document) {
   mark_last_item("graph find");
   tooltip("Zooms to the node of the face with this number, and starts the traversal there.");
   if (!entered) return;
-  const FaceId face(static_cast<uint32_t>(std::strtoul(typed_.data(), nullptr, 10)));
   found_ = false;
+  const std::optional<FaceId> face = face_of_text(typed_.data());
+  if (!face) return;
   for (const BodyId body : document.world().ids()) {
-    const std::optional<uint32_t> node = graph.node_of({body, face});
+    const std::optional<uint32_t> node = graph.node_of({body, *face});
     if (!node || graph.drawn()->nodes[*node].removed) continue;
     found_ = true;
     graph.start_from(*node);

@@ -3,10 +3,12 @@
 #include <imgui.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <system_error>
 
 #include "core/base/assert.h"
 #include "core/document/extract.h"
@@ -386,6 +388,13 @@ std::optional<uint32_t> GraphState::node_of(const FaceOfBody& face) const {
   if (found == end || found->body != face.body || found->face != face.face) return std::nullopt;
   const uint32_t drawn = drawn_->of[static_cast<size_t>(found - graph_.nodes.begin())];
   return drawn == DrawnGraph::kNone ? std::nullopt : std::optional(drawn);
+}
+
+std::optional<FaceId> face_of_text(std::string_view text) {
+  uint32_t number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  return end == last && error == std::errc() ? std::optional(FaceId(number)) : std::nullopt;
 }
 
 std::string words_on(const PieceNode& node, const Document& document, FileUnit unit) {

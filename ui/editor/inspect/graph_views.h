@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -138,6 +139,9 @@ class GraphState {
   std::vector<size_t> closings_;
   std::vector<LoopPath> loops_;
 };
+
+// Returns the face of a typed number; nullopt if the text is not a whole number or too large.
+std::optional<FaceId> face_of_text(std::string_view text);
 
 struct PieceTreeRow {
   PieceNode origin;

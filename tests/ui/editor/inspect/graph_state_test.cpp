@@ -259,5 +259,11 @@ TEST(PieceTree, describes_origin_and_support_of_each_piece) {
             "sheet is the rest of its body. Its 5 parts are one body, which is pinned.");
 }
 
+TEST(GraphState, finds_a_face_by_a_whole_number_only) {
+  EXPECT_EQ(face_of_text("12"), FaceId(12));
+  for (const char* text : {"", "-1", "1.5", "2*3", "4294967297"})
+    EXPECT_EQ(face_of_text(text), std::nullopt) << text;
+}
+
 }  // namespace
 }  // namespace kerf

@@ -546,7 +546,7 @@ bool is_loaded_part(const Body& body, uint32_t label) {
 
 std::string loaded_part_name(const World& world, const PieceId& piece) {
   const Body& body = world.body(piece.body);
-  if (!world.contains(body.loaded_as)) return "";
+  if (!world.contains(body.loaded_as) || world.body(body.loaded_as).named_parts.empty()) return "";
   const std::vector<uint32_t> faces = loaded_faces_of(body, piece.label);
   const MeshPart* best = nullptr;
   ptrdiff_t most = 0;

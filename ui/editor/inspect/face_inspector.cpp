@@ -13,6 +13,7 @@
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/window/layout.h"
@@ -135,9 +136,10 @@ void draw_face_readout(const Workspace& workspace, const Area& avoided, ImDrawLi
   const auto seen = pick(workspace.world(), view.look, view.seen().ray(p.x, p.y));
   if (!seen) return;
   const Body& body = workspace.world().body(seen->body);
+  const FaceFacts facts = face_facts(body, seen->face);
+  const std::string piece = name_of_piece(workspace.world(), view.look.pieces, {seen->body, facts.piece});
   draw_edges(view, body, *seen, list);
-  draw_box(view, workspace.input.pointer, lines_of(face_facts(body, seen->face), body, view.frame.unit),
-           avoided, list);
+  draw_box(view, workspace.input.pointer, lines_of(facts, piece, view.frame.unit), avoided, list);
 }
 
 // The values that clicks measure; kAll states the distance of two points and the rest with a third.
@@ -291,14 +293,14 @@ FaceFacts face_facts(const Body& body, FaceId face) {
   return facts;
 }
 
-std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit) {
+std::vector<std::string> lines_of(const FaceFacts& facts, const std::string& piece, FileUnit unit) {
   const auto length = [&](double metres) { return length_label(metres, unit); };
   const auto angle = [](double degrees) { return text_of("%.1f\u00b0", degrees); };
   const std::string level = facts.halvings == 0 ? "as loaded"
                                                 : count_text(static_cast<size_t>(facts.halvings), "halving") +
                                                       " of loaded face " + std::to_string(facts.loaded.index);
   return {"Face " + std::to_string(facts.face.index) + ", " + level,
-          "Piece   " + body.name_of(facts.piece),
+          "Piece   " + piece,
           "Area   " + area_label(facts.area, unit),
           "Edges   " + joined(facts.edges, ", ", length),
           "Angles   " + joined(facts.angles, ", ", angle),

@@ -31,8 +31,8 @@ struct FaceFacts {
 // Computes the properties of a face. Precondition: the face is live. O(faces on its edges).
 FaceFacts face_facts(const Body& body, FaceId face);
 
-// Formats the properties as lines of text, with lengths in file units.
-std::vector<std::string> lines_of(const FaceFacts& facts, const Body& body, FileUnit unit);
+// Formats the properties as lines of text, with the name of the piece and lengths in file units.
+std::vector<std::string> lines_of(const FaceFacts& facts, const std::string& piece, FileUnit unit);
 
 // The angle at the middle one of three points, and the radius of the circle through them.
 struct Corner {

@@ -178,10 +178,10 @@ void draw_verdict(const GraphState& graph) {
   if (!graph.complete()) secondary_text("Some faces that the stroke removed are no longer stored.");
 }
 
-void explain(const GraphState& graph, const Document& document, uint32_t node) {
+void explain(const GraphState& graph, const Document& document, const PieceMap& looks, uint32_t node) {
   const DrawnGraph::Node& n = graph.drawn()->nodes[node];
   if (!document.world().contains(n.face.body)) return;
-  const std::string piece = document.world().body(n.face.body).name_of(n.face.piece);
+  const std::string piece = name_of_piece(document.world(), looks, {n.face.body, n.face.piece});
   std::string text = n.faces == 1 ? "Face " + std::to_string(n.face.face.index) : grouped(n.faces) + " faces";
   text += (n.removed ? ", removed from " : " of ") + piece;
   if (n.faces > 1) text += " - click to expand";
@@ -323,7 +323,7 @@ void GraphPanel::light(const GraphState& graph, const Document& document, ViewSt
   std::optional<FaceOfBody> lit = in_picture;
   if (on_canvas.over) {
     lit = graph.face_of(*on_canvas.over);
-    explain(graph, document, *on_canvas.over);
+    explain(graph, document, view.look.pieces, *on_canvas.over);
   }
   if (lit == view.look.lit_face) return;
   view.look.lit_face = lit;

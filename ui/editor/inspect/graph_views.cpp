@@ -85,15 +85,15 @@ ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& 
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
-std::string origin_words(const PieceNode& node, const Document& document, FileUnit unit) {
+std::string origin_words(const PieceNode& node, const Document& document, const PieceMap& looks,
+                         FileUnit unit) {
   const Body& body = document.world().body(node.piece.body);
   if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
   if (!node.came_off)
     return node.piece.label == 0 ? "is the rest of its body" : "came off in an unknown step";
   const PieceId from = *node.came_off;
-  const std::string name = document.world().contains(from.body)
-                               ? document.world().body(from.body).name_of(from.label)
-                               : "a deleted piece";
+  const std::string name =
+      document.world().contains(from.body) ? name_of_piece(document.world(), looks, from) : "a deleted piece";
   const std::string did = step_words(document.history(), node.step, unit);
   return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
 }
@@ -132,13 +132,15 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   }
   list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
-  if (ImGui::Selectable(fitted_label(body.name_of(id.label), ImGui::GetContentRegionAvail().x).c_str(),
-                        selected, ImGuiSelectableFlags_SpanAllColumns)) {
+  const std::string name = name_of_piece(document.world(), view.look.pieces, id);
+  if (ImGui::Selectable(fitted_label(name, ImGui::GetContentRegionAvail().x).c_str(), selected,
+                        ImGuiSelectableFlags_SpanAllColumns)) {
     select_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
     view.picture_old = true;
   }
   mark_last_item("piece node", static_cast<int>(id.label));
-  if (!selected) tooltip(words_on(row.origin, document, view.frame.unit).c_str());
+  if (!selected && ImGui::IsItemHovered())
+    tooltip(words_on(row.origin, document, view.look.pieces, view.frame.unit).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
   ImGui::TableNextColumn();
@@ -152,7 +154,7 @@ void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document,
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [&](const PieceTreeRow& r) { return r.origin.piece == selected; });
   if (row == rows.end()) return;
-  ImGui::TextWrapped("%s", words_on(row->origin, document, view.frame.unit).c_str());
+  ImGui::TextWrapped("%s", words_on(row->origin, document, view.look.pieces, view.frame.unit).c_str());
   mark_last_item("piece words");
 }
 
@@ -397,13 +399,13 @@ std::optional<FaceId> face_of_text(std::string_view text) {
   return end == last && error == std::errc() ? std::optional(FaceId(number)) : std::nullopt;
 }
 
-std::string words_on(const PieceNode& node, const Document& document, FileUnit unit) {
-  const std::string name = document.world().body(node.piece.body).name_of(node.piece.label);
+std::string words_on(const PieceNode& node, const Document& document, const PieceMap& looks, FileUnit unit) {
+  const std::string name = name_of_piece(document.world(), looks, node.piece);
   const std::string others = node.piece.label != 0 || node.beside == 0 ? ""
                              : node.beside == 1
                                  ? " One piece that came off still stands with it."
                                  : " " + grouped(node.beside) + " pieces that came off still stand with it.";
-  return name + " " + origin_words(node, document, unit) + ". " + holder_words(node) + others;
+  return name + " " + origin_words(node, document, looks, unit) + ". " + holder_words(node) + others;
 }
 
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins) {

@@ -10,6 +10,7 @@
 #include "core/document/document.h"
 #include "core/graph/drawn_graph.h"
 #include "core/mesh/files/mesh_format.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport.h"
 #include "ui/render/view/view_options.h"
 
@@ -152,7 +153,7 @@ struct PieceTreeRow {
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
 // Describes a piece: its origin, its holder, and pieces still in place. Precondition: its body exists.
-std::string words_on(const PieceNode& node, const Document& document, FileUnit unit);
+std::string words_on(const PieceNode& node, const Document& document, const PieceMap& looks, FileUnit unit);
 
 // Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a piece
 // and shows its description.

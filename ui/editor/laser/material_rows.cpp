@@ -253,9 +253,10 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   }
   const Body& body = workspace.world().body(piece->body);
   const size_t selected = selected_count(workspace.view.look.pieces);
-  const std::string of = selected == 0   ? std::string("All pieces")
-                         : selected == 1 ? body.name_of(piece->label)
-                                         : std::to_string(selected) + " selected pieces";
+  const std::string of = selected == 0 ? std::string("All pieces")
+                         : selected == 1
+                             ? name_of_piece(workspace.world(), workspace.view.look.pieces, *piece)
+                             : std::to_string(selected) + " selected pieces";
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   draw_fitted_text(of, "Changes apply to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();

@@ -17,12 +17,10 @@ void drop_plain(PieceMap& looks) {
 
 namespace {
 
-std::string name_of(const World& world, const PieceRow& row) {
-  const Body& body = world.body(row.id.body);
-  if (row.id.label == body.named || body.piece_names.contains(row.id.label))
-    return body.name_of(row.id.label);
-  const std::string part = row.part ? loaded_part_name(world, row.id) : "";
-  return part.empty() ? body.name + " " + std::to_string(row.part ? row.id.label : row.number) : part;
+// See PieceLook::number.
+uint32_t number_in(const PieceMap& looks, const PieceId& id) {
+  const auto look = looks.find(id);
+  return look != looks.end() && look->second.number != 0 ? look->second.number : id.label;
 }
 
 // Bodies, pieces, parts.
@@ -48,6 +46,15 @@ bool all_settled(const World& world) {
 
 }  // namespace
 
+std::string name_of_piece(const World& world, const PieceMap& looks, const PieceId& id) {
+  const Body& body = world.body(id.body);
+  if (id.label == body.named || body.piece_names.contains(id.label)) return body.name_of(id.label);
+  const bool part = id.label < body.pieces.size() && is_loaded_part(body, id.label);
+  const std::string in_file = part ? loaded_part_name(world, id) : "";
+  if (!in_file.empty()) return in_file;
+  return body.name + " " + std::to_string(part ? id.label : number_in(looks, id));
+}
+
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
   std::vector<PieceRow> rows;
   for (const BodyId id : world.ids()) {
@@ -55,12 +62,10 @@ std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks) {
     for (uint32_t label = 0; label < body.pieces.size(); ++label) {
       const Piece& piece = body.pieces[label];
       if (piece.faces == 0) continue;
-      const auto look = looks.find({id, label});
-      const uint32_t number = look != looks.end() && look->second.number != 0 ? look->second.number : label;
       const bool part = is_loaded_part(body, label);
-      PieceRow& row = rows.emplace_back();
-      row = {{id, label}, part ? 0 : number, "", piece.faces, piece.area, body.pinned, part};
-      row.name = name_of(world, row);
+      const uint32_t number = part ? 0 : number_in(looks, {id, label});
+      const std::string name = name_of_piece(world, looks, {id, label});
+      rows.push_back({{id, label}, number, name, piece.faces, piece.area, body.pinned, part});
     }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PieceRow& a, const PieceRow& b) {

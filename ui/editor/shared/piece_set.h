@@ -24,6 +24,10 @@ struct PieceRow {
   bool part = false;  // not separated by a cut (see is_loaded_part)
 };
 
+// Returns the displayed name of a piece: its given name, that of its part in the mesh file, or that of its
+// body with its number. Precondition: its body exists. O(faces of the body) for a part.
+std::string name_of_piece(const World& world, const PieceMap& looks, const PieceId& id);
+
 // Lists the pieces that have faces: bodies (label 0), then separated pieces, then parts that no cut
 // separated, each in descending order of area. Parts have their names from the mesh file.
 std::vector<PieceRow> list_pieces(const World& world, const PieceMap& looks = {});

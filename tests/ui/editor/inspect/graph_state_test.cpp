@@ -241,21 +241,24 @@ TEST(PieceTree, describes_origin_and_support_of_each_piece) {
   const std::vector<PieceNode> nodes = piece_origins(document);
   ASSERT_EQ(nodes.size(), 2u);
   EXPECT_EQ(
-      words_on(nodes[0], document, FileUnit::kMetre),
+      words_on(nodes[0], document, {}, FileUnit::kMetre),
       "sheet is the rest of its body. The mesh is connected. One piece that came off still stands with it.");
   EXPECT_EQ(
-      words_on(nodes[1], document, FileUnit::kMetre),
+      words_on(nodes[1], document, {}, FileUnit::kMetre),
       "sheet 1 came off sheet in step 1 (Cut 1: sheet, radius 30 mm). Nothing holds it: it stays until it is "
       "moved or time passes.");
+  PieceMap numbered;
+  numbered[nodes[1].piece].number = 4;
+  EXPECT_TRUE(words_on(nodes[1], document, numbered, FileUnit::kMetre).starts_with("sheet 4 came off"));
   PieceNode other = nodes[0];
   other.parts = 5;
   other.beside = 0;
   other.held_by = Holder::kBody;
-  EXPECT_EQ(words_on(other, document, FileUnit::kMetre),
+  EXPECT_EQ(words_on(other, document, {}, FileUnit::kMetre),
             "sheet is the rest of its body. Its 5 parts were never connected; they move together because "
             "they are one body.");
   other.held_by = Holder::kPin;
-  EXPECT_EQ(words_on(other, document, FileUnit::kMetre),
+  EXPECT_EQ(words_on(other, document, {}, FileUnit::kMetre),
             "sheet is the rest of its body. Its 5 parts are one body, which is pinned.");
 }
 

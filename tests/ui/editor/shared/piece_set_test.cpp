@@ -114,6 +114,7 @@ TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {
     EXPECT_TRUE(rows[i].part);
     EXPECT_EQ(rows[i].number, 0u);
     parts.insert(rows[i].name);
+    EXPECT_EQ(name_of_piece(document.world(), {}, rows[i].id), rows[i].name);
   }
   EXPECT_EQ(parts, std::set<std::string>({"wheel_front_left", "wheel_front_right", "wheel_rear_left",
                                           "wheel_rear_right", "steering_wheel"}));

@@ -208,13 +208,18 @@ class Files(WindowTest):
         self.assertGreater(faces["keep files"], 4000)
         self.assertLess(faces["reload files"], 1000)
 
-    def test_a_reloaded_file_is_seen_from_the_same_place(self):
+    def scene_of_plate(self):
+        """The paths of a mesh and of a scene with it, in a new folder."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         part, scene = (os.path.join(folder.name, name) for name in ("part.obj", "scene.json"))
         shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), part)
         with open(scene, "w") as file:
             json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        return part, scene
+
+    def test_a_reloaded_file_is_seen_from_the_same_place(self):
+        part, scene = self.scene_of_plate()
         editor = self.open(scene)
         editor.point_at(0.05, 0.05)
         home = editor.ask("report")["view"]["eye"]
@@ -231,12 +236,7 @@ class Files(WindowTest):
             self.assertAlmostEqual(new, old, places=3)
 
     def test_saving_reports_a_mesh_that_another_program_has_changed(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        part, scene = (os.path.join(folder.name, name) for name in ("part.obj", "scene.json"))
-        shutil.copy(os.path.join(ASSETS, "meshes", "plate.obj"), part)
-        with open(scene, "w") as file:
-            json.dump({"bodies": [{"mesh": "part.obj"}]}, file)
+        part, scene = self.scene_of_plate()
         editor = self.open(scene)
         editor.pause(3)
         self.assertNotIn("keep files", editor.landmarks()["parts"])

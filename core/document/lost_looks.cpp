@@ -9,17 +9,6 @@
 
 namespace kerf {
 
-namespace {
-
-std::string list(const std::vector<std::string>& items, const std::string& last) {
-  std::string text;
-  for (size_t i = 0; i < items.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == items.size() ? last : ", ") + items[i];
-  return text;
-}
-
-}  // namespace
-
 void LostLooks::add(const Body& body, const Extract& extract, MeshFormat format) {
   const MeshFormatRow& row = format_row(format);
   const Looks* looks = body.looks.get();
@@ -60,11 +49,11 @@ void LostLooks::add_notes(MeshFormat format, std::vector<std::string>& notes) co
   const std::string title =
       std::string(format_row(format).title) + (format == MeshFormat::kPly ? " as written by Kerf" : "");
   if (faces_ > 0) {
-    notes.push_back(title + " holds no " + list(kinds_, " or ") + ": " + count_text(faces_, "face") +
+    notes.push_back(title + " holds no " + listed(kinds_) + ": " + count_text(faces_, "face") +
                     (faces_ == 1 ? " loses its" : " lose theirs"));
   }
   if (!members_.empty()) {
-    notes.push_back(title + " holds no " + list({members_.begin(), members_.end()}, " or ") + ": " +
+    notes.push_back(title + " holds no " + listed(std::vector(members_.begin(), members_.end())) + ": " +
                     count_text(materials_.size(), "material") +
                     (materials_.size() == 1 ? " loses its" : " lose theirs"));
   }

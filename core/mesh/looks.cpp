@@ -15,6 +15,7 @@
 #include "core/base/random.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/files/bytes.h"
+#include "core/mesh/files/scanner.h"
 
 namespace kerf {
 
@@ -151,27 +152,21 @@ class Looks::Builder {
     looks->surfaces_ = soup_.surfaces;
     looks->v_points_down_ = soup_.looks.v_points_down;
     for (const auto& set : soup_.looks.uv_sets) {
-      looks->uv_sets_.push_back(share(set));
+      looks->uv_sets_.push_back(share(set, "UVs"));
     }
     // Materials refer to sets by number, so that empty ones before the last stay.
     while (!looks->uv_sets_.empty() && !looks->uv_sets_.back().corners) looks->uv_sets_.pop_back();
     find_reversed();
-    looks->normals_ = share_reversed(soup_.looks.normals, [](const glm::vec3& n) { return -n; });
-    looks->tangents_ = share_reversed(soup_.looks.tangents,
+    looks->normals_ = share_reversed(soup_.looks.normals, "normals", [](const glm::vec3& n) { return -n; });
+    looks->tangents_ = share_reversed(soup_.looks.tangents, "tangents",
                                       [](const glm::vec4& t) { return glm::vec4(t.x, t.y, t.z, -t.w); });
     share_attributes(*looks);
     if (soup_.keeps_corners || !looks->uv_sets_.empty() || looks->normals_.corners ||
         looks->tangents_.corners || !looks->attributes_.empty())
-      looks->positions_ = share(LookChannel<Vec3>{soup_.positions, soup_.triangles});
+      looks->positions_ = share(LookChannel<Vec3>{soup_.positions, soup_.triangles}, "positions");
     share_corners(*looks);
     if (soup_.keeps_corners) looks->sources_.assign(sources_.begin(), sources_.end());
-    if (not_finite_ > 0) {
-      warnings.push_back(grouped(not_finite_) +
-                         (not_finite_ == 1 ? " face has a UV or a normal that is not a finite number and "
-                                             "loses it."
-                                           : " faces have UVs or normals that are not finite numbers and "
-                                             "lose them."));
-    }
+    warn_not_finite(warnings);
     if (!looks->surfaces_ && !looks->positions_.corners) return nullptr;
     looks->hash_ = hash_of(*looks);
     return looks;
@@ -181,9 +176,25 @@ class Looks::Builder {
   size_t faces() const { return turned_.size(); }
   size_t source(size_t face) const { return sources_.empty() ? face : sources_[face]; }
 
-  // Returns the values of the loaded faces. A face that lacks one at a corner has none.
+  void record_not_finite(size_t face, const std::string& kind) {
+    not_finite_.resize(faces());
+    not_finite_[face] = true;
+    if (std::ranges::find(kinds_not_finite_, kind) == kinds_not_finite_.end())
+      kinds_not_finite_.push_back(kind);
+  }
+
+  void warn_not_finite(std::vector<std::string>& warnings) const {
+    const auto count = static_cast<size_t>(std::ranges::count(not_finite_, true));
+    if (count == 0) return;
+    warnings.push_back(count_text(count, "face") + (count == 1 ? " has " : " have ") +
+                       listed(kinds_not_finite_) + " that are not finite numbers and " +
+                       (count == 1 ? "loses" : "lose") + " them.");
+  }
+
+  // Returns the values of the loaded faces, of a kind for messages. A face that lacks one at a corner has
+  // none.
   template <typename T>
-  Channel<T> share(const LookChannel<T>& from) {
+  Channel<T> share(const LookChannel<T>& from, const std::string& kind) {
     Channel<T> channel;
     if (!from.any()) return channel;
     Corners corners(faces(), {kNoValue, kNoValue, kNoValue});
@@ -194,7 +205,7 @@ class Looks::Builder {
       if (std::max({own[0], own[1], own[2]}) >= from.values.size()) continue;
       if (!std::all_of(own.begin(), own.end(),
                        [&](uint32_t v) { return has_finite_numbers(from.values[v]); })) {
-        ++not_finite_;
+        record_not_finite(f, kind);
         continue;
       }
       for (size_t i = 0; i < 3; ++i) corners[f][i] = distinct.number(from.values[own[i]]);
@@ -226,8 +237,8 @@ class Looks::Builder {
 
   // Shares a channel with the values of reversed faces replaced by reverse(value).
   template <typename T, typename Reverse>
-  Channel<T> share_reversed(const LookChannel<T>& from, const Reverse& reverse) {
-    if (!from.any() || reversed_.empty()) return share(from);
+  Channel<T> share_reversed(const LookChannel<T>& from, const std::string& kind, const Reverse& reverse) {
+    if (!from.any() || reversed_.empty()) return share(from, kind);
     LookChannel<T> own = from;
     for (const size_t f : reversed_) {
       auto& corners = own.corners[source(f)];
@@ -237,12 +248,13 @@ class Looks::Builder {
         v = static_cast<uint32_t>(own.values.size() - 1);
       }
     }
-    return share(own);
+    return share(own, kind);
   }
 
   void share_attributes(Looks& looks) {
     for (const LookAttribute& attribute : soup_.looks.attributes) {
-      Channel<glm::vec4> channel = share(attribute.channel);
+      Channel<glm::vec4> channel =
+          share(attribute.channel, "values of attribute " + in_quotes(attribute.name));
       if (channel.corners) looks.attributes_.push_back({attribute.name, attribute.parts, std::move(channel)});
     }
   }
@@ -262,7 +274,8 @@ class Looks::Builder {
   const Soup& soup_;
   std::span<const uint32_t> sources_;
   const std::vector<bool>& turned_;
-  size_t not_finite_ = 0;
+  std::vector<bool> not_finite_;  // by face; empty if all values are finite
+  std::vector<std::string> kinds_not_finite_;
   std::vector<size_t> reversed_;  // faces, ascending
 };
 

@@ -1,7 +1,6 @@
 #include "core/mesh/files/mesh_format.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -128,13 +127,6 @@ std::string_view kind_by(const std::array<Signature, N>& signatures, std::string
   };
   const auto found = std::find_if(signatures.begin(), signatures.end(), fits);
   return found == signatures.end() ? std::string_view() : found->kind;
-}
-
-std::string listed(std::span<const std::string> names, std::string_view last) {
-  std::string list;
-  for (size_t i = 0; i < names.size(); ++i)
-    list.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
-  return list;
 }
 
 // Lengths in the units of the file.

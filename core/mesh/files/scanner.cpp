@@ -93,6 +93,13 @@ std::string in_quotes(std::string_view word) {
   return line.insert(0, 1, '\'') += '\'';
 }
 
+std::string listed(std::span<const std::string> names, std::string_view last) {
+  std::string list;
+  for (size_t i = 0; i < names.size(); ++i)
+    list.append(i == 0 ? "" : i + 1 == names.size() ? last : ", ").append(names[i]);
+  return list;
+}
+
 Scanner::Scanner(std::string_view bytes, std::string_view file_name, Syntax syntax, const Progress* progress)
     : bytes_(bytes), file_name_(one_line(file_name)), syntax_(syntax), progress_(progress) {
   if (bytes_.starts_with(kByteOrderMark)) position_ = last_ = kByteOrderMark.size();

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -117,5 +118,8 @@ std::string in_quotes(std::string_view word);
 
 // Formats a name for an error message: on one line, at full length and without quotes.
 std::string one_line(std::string_view name);
+
+// Formats a list in a message: "UVs, normals or tangents".
+std::string listed(std::span<const std::string> names, std::string_view last = " or ");
 
 }  // namespace kerf

@@ -81,6 +81,16 @@ TEST(AttributesOfPly, have_a_limit) {
             std::vector<std::string>{"4 properties of vertices beyond the limit of 16 were ignored."});
 }
 
+TEST(AttributesOfPly, that_are_not_finite_numbers_are_named_in_a_note) {
+  const auto built = build_mesh(*read_ply(
+      "ply\nformat ascii 1.0\n" + kPlyHead + "0 7 0 0 1 nan 0\n1 -8 0 0 2 0.25 0\n0 9 1 0 3 1 0\n3 0 1 2\n",
+      "a.ply"));
+  ASSERT_TRUE(built.ok()) << built.error().message;
+  EXPECT_EQ(built->report.warnings,
+            std::vector<std::string>{
+                "1 face has values of attribute 'quality' that are not finite numbers and loses them."});
+}
+
 struct AttributeSample {
   Soup soup;
   MeshView view() const { return {soup.positions, soup.triangles, {}, {}, {}, {}, {}, &soup.looks}; }

@@ -74,18 +74,21 @@ TEST(LooksOfObj, damaged_references_yield_a_warning) {
 
 TEST(LooksOfObj, of_faces_with_numbers_that_are_not_finite_are_left_out_with_a_note) {
   const auto notes = [](const std::string& faces) {
-    const auto soup =
-        read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 1\nvt nan 0\n" + faces, "a.obj");
+    const auto soup = read_obj(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 1\nvt nan 0\nvn 0 0 nan\n" + faces, "a.obj");
     const auto built = build_mesh(*soup);
     EXPECT_TRUE(built.ok());
     return built->report.warnings;
   };
   const std::string good = "f 1/1 3/1 4/1\n", bad = "f 1/1 2/1 3/2\n", other = "f 3/2 2/1 5/1\n";
   EXPECT_EQ(notes(good), std::vector<std::string>{});
-  EXPECT_EQ(notes(good + bad), (std::vector<std::string>{"1 face has a UV or a normal that is not a finite "
-                                                         "number and loses it."}));
-  EXPECT_EQ(notes(good + bad + other), (std::vector<std::string>{"2 faces have UVs or normals that are not "
-                                                                 "finite numbers and lose them."}));
+  const std::string both = "f 1/2/1 2/2/1 3/2/1\n";
+  EXPECT_EQ(notes(good + bad),
+            std::vector<std::string>{"1 face has UVs that are not finite numbers and loses them."});
+  EXPECT_EQ(notes(good + bad + other),
+            std::vector<std::string>{"2 faces have UVs that are not finite numbers and lose them."});
+  EXPECT_EQ(notes(good + both), std::vector<std::string>{
+                                    "1 face has UVs or normals that are not finite numbers and loses them."});
 }
 
 TEST(LooksOfObj, are_written_as_the_numbers_of_each_line) {

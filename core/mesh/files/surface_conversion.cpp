@@ -7,11 +7,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "core/base/geometry.h"
 #include "core/mesh/files/scanner.h"
+#include "core/mesh/files/surface_look.h"
 #include "core/mesh/files/vertex_colour.h"
 
 namespace kerf {
@@ -42,16 +44,21 @@ class MtlStatements {
     if (all.size() < 3) return Vec3(all[0]);
     return Vec3(all[0], all[1], all[2]);
   }
-  std::optional<uint32_t> map(std::initializer_list<std::string_view> keywords) const {
-    for (const std::string_view keyword : keywords) {
-      for (const MtlLine& line : material_.mtl) {
-        if (line.image && is_of(line, keyword)) return line.image;
-      }
-    }
-    return std::nullopt;
-  }
+  // Return the maps that glTF can express; null if there is none.
+  const MtlLine* base_map() const { return map({"map_Kd"}); }
+  const MtlLine* normal_map() const { return map({"norm", "map_Bump", "bump"}); }
+  const MtlLine* emission_map() const { return map({"map_Ke"}); }
 
  private:
+  const MtlLine* map(std::initializer_list<std::string_view> keywords) const {
+    for (const std::string_view keyword : keywords) {
+      for (const MtlLine& line : material_.mtl) {
+        if (line.image && is_of(line, keyword)) return &line;
+      }
+    }
+    return nullptr;
+  }
+
   static bool is_of(const MtlLine& line, std::string_view keyword) {
     const std::string_view text = line.text;
     if (text.size() <= keyword.size() || (text[keyword.size()] != ' ' && text[keyword.size()] != '\t'))
@@ -216,14 +223,22 @@ class GltfCollection {
     return SurfaceJson{{"index", known->second}};
   }
 
-  // Likewise with the transform of the UVs of a material in MTL, which does not rotate.
-  std::optional<SurfaceJson> texture_of_map(std::optional<uint32_t> from, const SurfaceMaterial& material) {
-    std::optional<SurfaceJson> map = texture_of_image(from);
-    const glm::mat3x2& uv = material.uv_transform;
-    if (!map || uv == SurfaceMaterial().uv_transform) return map;
+  // Likewise for a map in MTL, null for none, with its transform of the UVs, which does not rotate.
+  std::optional<SurfaceJson> texture_of_map(const MtlLine* line) {
+    std::optional<SurfaceJson> map = line ? texture_of_image(line->image) : std::nullopt;
+    if (!map) return map;
+    const glm::mat3x2 uv = read_map_transform(*line);
+    if (uv == SurfaceMaterial().uv_transform) return map;
     (*map)["extensions"]["KHR_texture_transform"] = {{"offset", {uv[2].x, uv[2].y}},
                                                      {"scale", {uv[0].x, uv[1].y}}};
     extensions_.insert("KHR_texture_transform");
+    return map;
+  }
+
+  std::optional<SurfaceJson> normal_texture(const MtlLine* line) {
+    std::optional<SurfaceJson> map = texture_of_map(line);
+    const double scale = map ? read_normal_scale(*line) : 1;
+    if (scale != 1) (*map)["scale"] = scale;
     return map;
   }
 
@@ -236,15 +251,14 @@ class GltfCollection {
     const double opacity = std::clamp(mtl.number("d").value_or(1 - mtl.number("Tr").value_or(0)), 0.0, 1.0);
     pbr["baseColorFactor"] = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z),
                               opacity};
-    if (auto map = texture_of_map(mtl.map({"map_Kd"}), material)) pbr["baseColorTexture"] = *map;
+    if (auto map = texture_of_map(mtl.base_map())) pbr["baseColorTexture"] = *map;
     const double exponent = std::clamp(mtl.number("Ns").value_or(0), 0.0, 1000.0);
     pbr["metallicFactor"] = std::clamp(mtl.number("Pm").value_or(0), 0.0, 1.0);
     pbr["roughnessFactor"] = std::clamp(mtl.number("Pr").value_or(1 - std::sqrt(exponent / 1000)), 0.0, 1.0);
     json["pbrMetallicRoughness"] = std::move(pbr);
-    if (auto map = texture_of_map(mtl.map({"norm", "map_Bump", "bump"}), material))
-      json["normalTexture"] = *map;
+    if (auto map = normal_texture(mtl.normal_map())) json["normalTexture"] = *map;
     const auto emission = mtl.colour("Ke");
-    auto emissive = texture_of_map(mtl.map({"map_Ke"}), material);
+    auto emissive = texture_of_map(mtl.emission_map());
     if (emission && *emission != Vec3(0)) {
       json["emissiveFactor"] = {srgb_to_linear(emission->x), srgb_to_linear(emission->y),
                                 srgb_to_linear(emission->z)};
@@ -328,13 +342,21 @@ std::string colour_line(const char* keyword, const std::vector<double>& linear) 
   return line;
 }
 
-// Returns the options of a map in MTL for a transform of the UVs, with three numbers each because some
+// Returns the options of a map in MTL for the transform of a texture, with three numbers each because some
 // readers expect them; none for a rotation, which MTL cannot state.
-std::string map_options(const glm::mat3x2& uv) {
+std::string transform_options(const SurfaceJson& texture) {
+  const glm::mat3x2 uv = read_map_transform(texture);
   if (uv == SurfaceMaterial().uv_transform || uv[0].y != 0 || uv[1].x != 0) return "";
   const double bottom = 1.0 - static_cast<double>(uv[1].y) - static_cast<double>(uv[2].y);
   return "-s " + short_number(uv[0].x) + " " + short_number(uv[1].y) + " 1 -o " + short_number(uv[2].x) +
          " " + short_number(bottom) + " 0 ";
+}
+
+// Returns the option of a normal map in MTL for the scale of a texture.
+std::string scale_option(const SurfaceJson& texture) {
+  if (!texture.is_object() || !texture.contains("scale") || !texture["scale"].is_number()) return "";
+  const auto scale = texture["scale"].get<float>();
+  return scale == 1 || !std::isfinite(scale) ? "" : "-bm " + short_number(scale) + " ";
 }
 
 }  // namespace
@@ -375,13 +397,14 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   lines.push_back({"Pm " + short_number(metallic.empty() ? 1 : metallic[0])});
   if (const auto emission = members.numbers(json, "emissiveFactor"); !emission.empty())
     lines.push_back({colour_line("Ke", emission)});
-  const auto add_map = [&](const char* keyword, std::optional<uint32_t> image) {
-    if (image) lines.push_back({std::string(keyword) + " " + map_options(material.uv_transform), image});
+  const auto add_map = [&](const std::string& text, const SurfaceJson& of, const char* key) {
+    const auto image = members.image(of, key);
+    if (image) lines.push_back({text + transform_options(of[key]), image});
   };
-  add_map("map_Kd", members.image(pbr, "baseColorTexture"));
-  if (translucent) add_map("map_d", members.image(pbr, "baseColorTexture"));
-  add_map("map_Ke", members.image(json, "emissiveTexture"));
-  add_map("norm", members.image(json, "normalTexture"));
+  add_map("map_Kd ", pbr, "baseColorTexture");
+  if (translucent) add_map("map_d ", pbr, "baseColorTexture");
+  add_map("map_Ke ", json, "emissiveTexture");
+  add_map("norm " + scale_option(members.object("normalTexture")), json, "normalTexture");
   return lines;
 }
 
@@ -453,6 +476,17 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+// Adds the options of a map in MTL that glTF cannot express.
+void add_lost_options(const MtlLine& map, bool is_normal_map, std::set<std::string>& lost) {
+  std::istringstream words(map.text);
+  for (std::string word; words >> word;) {
+    const std::string option = lower_case(word);
+    const bool is_kept = option == "-s" || option == "-o" || (option == "-bm" && is_normal_map);
+    if (option.starts_with('-') && !parse_number(option) && !is_kept)
+      lost.insert(mtl_keyword(map) + " " + option);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
@@ -479,14 +513,16 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material) {
   if (!material.gltf.empty()) return {};
   std::set<std::string> lost;
+  const MtlStatements mtl(material);
+  const std::array maps{mtl.base_map(), mtl.normal_map(), mtl.emission_map()};
   for (const MtlLine& line : material.mtl) {
-    const std::string keyword = mtl_keyword(line);
-    const std::string low = lower_case(keyword);
-    constexpr std::array<std::string_view, 5> kMaps{"map_kd", "norm", "map_bump", "bump", "map_ke"};
     if (!line.image) continue;
     const SurfaceImage& image = library.images[*line.image];
-    const bool is_map = std::find(kMaps.begin(), kMaps.end(), low) != kMaps.end();
-    if (!is_map || (!image.bytes.empty() && !is_gltf_image(image))) lost.insert(keyword);
+    if (std::ranges::find(maps, &line) == maps.end() || (!image.bytes.empty() && !is_gltf_image(image))) {
+      lost.insert(mtl_keyword(line));
+    } else if (!image.bytes.empty()) {
+      add_lost_options(line, &line == mtl.normal_map(), lost);
+    }
   }
   return {lost.begin(), lost.end()};
 }

@@ -16,9 +16,10 @@ namespace kerf {
 nlohmann::ordered_json metallic_roughness(const nlohmann::ordered_json& material);
 
 // Returns the lines of a material in MTL: as in the file, or converted from glTF: Kd, Ke, d, Pr, Pm, Ns and
-// the maps of the base colour, the opacity, the emission and the normals that use the first UVs. Colours are
-// converted from linear light to sRGB. A material whose alphaMode is OPAQUE has the opacity 1 and no map of
-// it.
+// the maps of the base colour, the opacity, the emission and the normals that use the first UVs. Each map has
+// the scale and offset of its texture as -s and -o, unless that is rotated, and the normal map its scale as
+// -bm. Colours are converted from linear light to sRGB. A material whose alphaMode is OPAQUE has the opacity
+// 1 and no map of it.
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
 
 // A material to write. The library, null for none, must outlive all that is made from it.
@@ -43,9 +44,9 @@ enum class MissingImages : uint8_t { kLeaveOut, kKeep };
 GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);
 
-// Return the members or statements of a material that these functions do not convert, ascending:
-// "occlusionTexture", "map_Ns". Empty if the material is already in MTL, or in glTF. 3MF holds the base
-// colour and the opacity only; images are no part of its list.
+// Return the members, statements and options of maps of a material that these functions do not convert,
+// ascending: "occlusionTexture", "map_Ns", "map_Kd -clamp". Empty if the material is already in MTL, or in
+// glTF. 3MF holds the base colour and the opacity only; images are no part of its list.
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);

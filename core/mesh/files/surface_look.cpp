@@ -69,6 +69,12 @@ void read_option(const std::string& line, const char* option, glm::dvec2& to) {
   for (int k = 0; k < 2 && words >> x && std::isfinite(x); ++k) to[k] = x;
 }
 
+glm::mat3x2 uv_transform(const glm::dvec2& scale, const glm::dvec2& offset, double rotation) {
+  const SinCos turn = sin_cos(std::fmod(rotation, 2 * kPi));
+  return glm::dmat3x2(turn.cos * scale.x, -turn.sin * scale.x, turn.sin * scale.y, turn.cos * scale.y,
+                      offset.x, offset.y);
+}
+
 class LookReader {
  public:
   LookReader(const SurfaceLibrary& library, const GltfSurfaces& surfaces)
@@ -119,27 +125,38 @@ class LookReader {
 
 }  // namespace
 
-glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
+glm::mat3x2 read_map_transform(const Json& texture) {
+  const Json& transform = member(member(texture, "extensions"), "KHR_texture_transform");
   glm::dvec2 scale(1), offset(0);
-  double rotation = 0;
+  read_pair(transform, "scale", scale);
+  read_pair(transform, "offset", offset);
+  return uv_transform(scale, offset, number(transform, "rotation", 0));
+}
+
+glm::mat3x2 read_map_transform(const MtlLine& map) {
+  const std::string text = plain_line(map.text);
+  glm::dvec2 scale(1), offset(0);
+  read_option(text, "-s", scale);
+  read_option(text, "-o", offset);
+  offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
+  return uv_transform(scale, offset, 0);
+}
+
+double read_normal_scale(const MtlLine& map) {
+  glm::dvec2 scale(1);
+  read_option(plain_line(map.text), "-bm", scale);
+  return scale.x;
+}
+
+glm::mat3x2 read_uv_transform(const SurfaceMaterial& material) {
   if (!material.gltf.empty()) {
     const Json pbr = metallic_roughness(Json::parse(material.gltf, nullptr, false));
-    const Json& map = member(pbr, "baseColorTexture");
-    const Json& transform = member(member(map, "extensions"), "KHR_texture_transform");
-    read_pair(transform, "scale", scale);
-    read_pair(transform, "offset", offset);
-    rotation = number(transform, "rotation", 0);
+    return read_map_transform(member(pbr, "baseColorTexture"));
   }
-  for (const MtlLine& line : material.mtl) {
-    const std::string text = plain_line(line.text);
-    if (!line.image || !text.starts_with("map_kd ")) continue;
-    read_option(text, "-s", scale);
-    read_option(text, "-o", offset);
-    offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
-  }
-  const SinCos turn = sin_cos(std::fmod(rotation, 2 * kPi));
-  return glm::dmat3x2(turn.cos * scale.x, -turn.sin * scale.x, turn.sin * scale.y, turn.cos * scale.y,
-                      offset.x, offset.y);
+  const auto map = std::ranges::find_if(material.mtl, [](const MtlLine& line) {
+    return line.image && plain_line(line.text).starts_with("map_kd ");
+  });
+  return map == material.mtl.end() ? SurfaceMaterial().uv_transform : read_map_transform(*map);
 }
 
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library) {

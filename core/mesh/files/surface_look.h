@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/json.h"
 #include "core/mesh/files/surfaces.h"
 
 namespace kerf {
@@ -34,9 +35,16 @@ struct SurfaceLook {
 // like mtl_lines() does. Ignores maps that use another set of UVs than the first.
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library);
 
-// Returns the transform of the UVs of a material, that of its base colour map: KHR_texture_transform in glTF,
-// or the options -s and -o of map_Kd in MTL. All maps of a material use it. Values that are not finite are
-// ignored.
+// Return the transform of the UVs of a map: KHR_texture_transform of a texture in glTF, or the options -s and
+// -o of a map in MTL. Values that are not finite are ignored.
+glm::mat3x2 read_map_transform(const nlohmann::ordered_json& texture);
+glm::mat3x2 read_map_transform(const MtlLine& map);
+
+// Returns the factor of the normals of a map in MTL, its option -bm; 1 without it.
+double read_normal_scale(const MtlLine& map);
+
+// Returns the transform of the UVs with which a material is drawn, that of its base colour map: the viewport
+// draws all maps of a material with one set of UVs.
 glm::mat3x2 read_uv_transform(const SurfaceMaterial& material);
 
 }  // namespace kerf

@@ -416,6 +416,40 @@ TEST(GltfSurfaces, leave_out_images_of_mtl_other_than_png_and_jpeg) {
   EXPECT_EQ(gltf_surfaces(used, MissingImages::kKeep).sources.size(), 2u);
 }
 
+TEST(GltfSurfaces, keep_the_transform_of_each_map_and_the_scale_of_normals) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  material.mtl = {
+      {"map_Kd -s 2 3 1 -o 0.25 -0.5 0 ", 0u}, {"map_Ke ", 0u}, {"norm -bm 0.5 -s 4 8 1 -o 0 0 0 ", 0u}};
+  material.uv_transform = read_uv_transform(material);
+  const auto converted = gltf_surfaces(std::array{GltfMaterial{&library, 0, "paint"}}).materials[0];
+  const auto& normal = converted["normalTexture"];
+  EXPECT_EQ(normal["scale"], 0.5);
+  EXPECT_EQ(normal["extensions"]["KHR_texture_transform"].dump(),
+            R"({"offset":[0.0,-7.0],"scale":[4.0,8.0]})");
+  EXPECT_EQ(converted["emissiveTexture"].dump(), R"({"index":0})");
+
+  SurfaceLibrary back{{}, library.images, {R"({"source": 0})"}, {}, {}};
+  SurfaceMaterial& again = back.materials.emplace_back();
+  again.gltf = converted.dump();
+  again.uv_transform = read_uv_transform(again);
+  const auto lines = mtl_lines(back, again);
+  for (const MtlLine& line : material.mtl)
+    EXPECT_EQ(text_with(line.text.substr(0, line.text.find(' ')), lines), line.text);
+  EXPECT_EQ(lost_in_mtl(again), std::vector<std::string>{});
+}
+
+TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  material.mtl = {
+      {"map_Kd -S 2 -2 -o -0.5 -Clamp on -bm 2 ", 0u}, {"map_Bump ", 0u}, {"norm -bm -1 -imfchan l ", 0u}};
+  EXPECT_EQ(lost_in_gltf(library, material),
+            (std::vector<std::string>{"map_Bump", "map_Kd -bm", "map_Kd -clamp", "norm -imfchan"}));
+}
+
 TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};
@@ -487,7 +521,7 @@ TEST(SurfaceLooks, convert_specular_glossiness_to_metallic_roughness) {
   EXPECT_EQ(text_with("Kd", lines), "Kd 1 0 0");
   EXPECT_EQ(text_with("Pm", lines), "Pm 0");
   EXPECT_EQ(text_with("Pr", lines), "Pr 0.75");
-  EXPECT_EQ(text_with("map_Kd", lines), "map_Kd ");
+  EXPECT_EQ(text_with("map_Kd", lines), "map_Kd -s 2 3 1 -o 0 -2 0 ");
 }
 
 TEST(LooksOfGltf, survive_damaged_attributes_and_deep_materials) {

@@ -94,6 +94,9 @@ bool is_gltf_image(const SurfaceImage& image) {
   return image.mime_type == "image/png" || image.mime_type == "image/jpeg";
 }
 
+// A material that the file only names is no metal, which is the default of glTF.
+SurfaceJson undescribed_material() { return {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}}; }
+
 // Collects the materials of one glTF file.
 class GltfCollection {
  public:
@@ -246,7 +249,7 @@ class GltfCollection {
   SurfaceJson from_mtl(const SurfaceMaterial& material) {
     const MtlStatements mtl(material);
     SurfaceJson json = SurfaceJson::object(), pbr = SurfaceJson::object();
-    if (material.mtl.empty()) return json;
+    if (material.mtl.empty()) return undescribed_material();
     const Vec3 colour = mtl.colour("Kd").value_or(Vec3(1));
     const double opacity = std::clamp(mtl.number("d").value_or(1 - mtl.number("Tr").value_or(0)), 0.0, 1.0);
     pbr["baseColorFactor"] = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z),
@@ -414,7 +417,7 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials, MissingImage
   out.materials = SurfaceJson::array();
   for (const auto& [library, number, name] : materials) {
     const bool known = library && number < library->materials.size();
-    SurfaceJson material = known ? collection.material(*library, number) : SurfaceJson::object();
+    SurfaceJson material = known ? collection.material(*library, number) : undescribed_material();
     SurfaceJson named = SurfaceJson::object();
     if (!name.empty()) named["name"] = std::string(name);
     for (auto& [key, value] : material.items()) {

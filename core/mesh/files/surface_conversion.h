@@ -38,8 +38,9 @@ struct GltfSurfaces {
   std::vector<std::string> used_extensions, required_extensions;
 };
 
-// Returns materials with their names: those of glTF verbatim, with indices of textures renumbered, and those
-// of MTL converted. Files leave out images without bytes, and of MTL those other than PNG and JPEG.
+// Returns materials with their names: those of glTF verbatim, with indices of textures renumbered, those of
+// MTL converted, and those without a description as no metals. Files leave out images without bytes, and of
+// MTL those other than PNG and JPEG.
 enum class MissingImages : uint8_t { kLeaveOut, kKeep };
 GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);

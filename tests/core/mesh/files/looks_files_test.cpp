@@ -440,6 +440,21 @@ TEST(GltfSurfaces, keep_the_transform_of_each_map_and_the_scale_of_normals) {
   EXPECT_EQ(lost_in_mtl(again), std::vector<std::string>{});
 }
 
+TEST(GltfSurfaces, without_a_description_are_no_metals) {
+  SurfaceLibrary library;
+  library.materials.resize(1);
+  const std::array<GltfMaterial, 3> used{
+      {{&library, 0, "bare"}, {&library, 1, "cut"}, {nullptr, 0, "other"}}};
+  const GltfSurfaces out = gltf_surfaces(used);
+  for (const auto& material : out.materials) {
+    ASSERT_TRUE(material.contains("pbrMetallicRoughness")) << material;
+    EXPECT_EQ(material["pbrMetallicRoughness"].dump(), R"({"metallicFactor":0})");
+    SurfaceMaterial back;
+    back.gltf = material.dump();
+    EXPECT_EQ(text_with("Pm", mtl_lines({}, back)), "Pm 0");
+  }
+}
+
 TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};

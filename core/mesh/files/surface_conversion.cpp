@@ -479,6 +479,16 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+// Adds the keywords of the statements in MTL, other than maps and comments, that are not among those kept.
+void add_lost_statements(const SurfaceMaterial& material, std::span<const std::string_view> kept,
+                         std::set<std::string>& lost) {
+  for (const MtlLine& line : material.mtl) {
+    const std::string keyword = mtl_keyword(line);
+    if (line.image || keyword.starts_with('#')) continue;
+    if (std::ranges::find(kept, lower_case(keyword)) == kept.end()) lost.insert(keyword);
+  }
+}
+
 // Adds the options of a map in MTL that glTF cannot express.
 void add_lost_options(const MtlLine& map, bool is_normal_map, std::set<std::string>& lost) {
   std::istringstream words(map.text);
@@ -494,12 +504,8 @@ void add_lost_options(const MtlLine& map, bool is_normal_map, std::set<std::stri
 
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
   std::set<std::string> lost;
-  for (const MtlLine& line : material.mtl) {
-    const std::string keyword = mtl_keyword(line);
-    constexpr std::array<std::string_view, 4> kKept{"kd", "d", "tr", "illum"};
-    if (!line.image && std::find(kKept.begin(), kKept.end(), lower_case(keyword)) == kKept.end())
-      lost.insert(keyword);
-  }
+  constexpr std::array<std::string_view, 4> kKept{"kd", "d", "tr", "illum"};
+  add_lost_statements(material, kKept, lost);
   const auto json = SurfaceJson::parse(material.gltf, nullptr, false);
   const auto add = [&](const SurfaceJson& of, const std::set<std::string>& kept) {
     if (!of.is_object()) return;
@@ -516,6 +522,8 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material) {
   if (!material.gltf.empty()) return {};
   std::set<std::string> lost;
+  constexpr std::array<std::string_view, 8> kKept{"kd", "d", "tr", "ns", "pr", "pm", "ke", "illum"};
+  add_lost_statements(material, kKept, lost);
   const MtlStatements mtl(material);
   const std::array maps{mtl.base_map(), mtl.normal_map(), mtl.emission_map()};
   for (const MtlLine& line : material.mtl) {

@@ -46,8 +46,8 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);
 
 // Return the members, statements and options of maps of a material that these functions do not convert,
-// ascending: "occlusionTexture", "map_Ns", "map_Kd -clamp". Empty if the material is already in MTL, or in
-// glTF. 3MF holds the base colour and the opacity only; images are no part of its list.
+// ascending: "occlusionTexture", "Ks", "map_Ns", "map_Kd -clamp". Empty if the material is already in MTL, or
+// in glTF. 3MF holds the base colour and the opacity only; images are no part of its list.
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);

@@ -465,6 +465,17 @@ TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
             (std::vector<std::string>{"map_Bump", "map_Kd -bm", "map_Kd -clamp", "norm -imfchan"}));
 }
 
+TEST(LostInGltf, has_statements_without_a_counterpart) {
+  SurfaceLibrary library;
+  SurfaceMaterial& material = library.materials.emplace_back();
+  for (const char* line : {"# painted", "Kd 1 0 0", "Ke 0 0 0", "Ks 0.5 0.5 0.5", "Ni 1.45", "Tf 1 1 1",
+                           "d 0.5", "Tr 0.5", "Ns 10", "Pr 0.5", "Pm 0", "illum 2", "KS 1"})
+    material.mtl.push_back({line});
+  EXPECT_EQ(lost_in_gltf(library, material), (std::vector<std::string>{"KS", "Ks", "Ni", "Tf"}));
+  EXPECT_EQ(lost_in_3mf(material),
+            (std::vector<std::string>{"KS", "Ke", "Ks", "Ni", "Ns", "Pm", "Pr", "Tf"}));
+}
+
 TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};

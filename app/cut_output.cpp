@@ -420,7 +420,7 @@ Status write_pieces(const World& world, const PiecesFolder& folder, const Surfac
   if (!status) return status;
   if (is_missing) return failed("stopped before all pieces were written, so there is no report");
   LostLooks lost;
-  for (const Part& part : parts) lost.add(*part.body, part.extract, format);
+  for (const Part& part : parts) lost.add(*part.body, part.faces, part.extract, format);
   lost.add_notes(format, notes);
   return folder.provenance.empty() ? Status(Done{}) : write_provenance(parts, folder);
 }

@@ -164,7 +164,7 @@ class PrepareRun {
       return written;
     }
     LostLooks lost;
-    lost.add(body(), e, format);
+    lost.add(body(), faces, e, format);
     std::vector<std::string> notes;
     lost.add_notes(format, notes);
     if (const auto note = precision_note(precision_loss(view, format), format, "write OBJ, PLY or OFF"))

@@ -123,23 +123,48 @@ TEST(InputFiles, include_images_of_binary_gltf_files) {
   EXPECT_TRUE(inputs.check("--out", folder / "other.png").ok());
 }
 
+std::vector<std::string> loss_notes(const Soup& soup, MeshFormat format) {
+  const Body body = make_body("part", build(soup));
+  const std::vector<FaceId> faces = body.faces_of(0);
+  LostLooks lost;
+  lost.add(body, faces, extract_faces(body, faces), format);
+  std::vector<std::string> notes;
+  lost.add_notes(format, notes);
+  return notes;
+}
+
 TEST(LostLooks, are_those_that_a_format_does_not_hold) {
-  const auto notes = [](const Soup& soup, MeshFormat format) {
-    const Body body = make_body("part", build(soup));
-    LostLooks lost;
-    lost.add(body, extract_faces(body, body.faces_of(0)), format);
-    std::vector<std::string> found;
-    lost.add_notes(format, found);
-    return found;
-  };
   const Soup painted = *read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 1\nf 1/1 2/1 3/1\n", "a.obj");
   for (const MeshFormatRow& row : kMeshFormats) {
     SCOPED_TRACE(row.title);
-    EXPECT_EQ(notes(grid(2, 1), row.format), std::vector<std::string>{});
+    EXPECT_EQ(loss_notes(grid(2, 1), row.format), std::vector<std::string>{});
     const std::string loss = std::string(row.title) + " holds no UVs: 1 face loses its";
-    EXPECT_EQ(notes(painted, row.format),
+    EXPECT_EQ(loss_notes(painted, row.format),
               row.uvs_and_normals ? std::vector<std::string>{} : std::vector<std::string>{loss});
   }
+}
+
+TEST(LostLooks, count_only_the_faces_that_have_them) {
+  Soup soup = *read_obj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -1 1 0\nv -1 0 0\nvt 0 1\nvn 0 0 1\n"
+      "f 1/1 2/1 3/1\nf 1//1 3//1 4//1\nf 1 4 5\nusemtl red\nf 1 5 6\n",
+      "a.obj");
+  ASSERT_EQ(soup.material_names, (std::vector<std::string>{"", "red"}));
+  auto library = std::make_shared<SurfaceLibrary>();
+  library->images = {{"paint.png", "", "image/png", "a"}};
+  library->textures = {R"({"source":0})"};
+  library->materials.resize(2);
+  library->materials[1].gltf = R"({"normalTexture":{"index":0}})";
+  soup.surfaces = library;
+  const auto has_note = [&](MeshFormat format, const std::string& note) {
+    const auto notes = loss_notes(soup, format);
+    return !notes.empty() && notes[0] == note;
+  };
+  EXPECT_TRUE(
+      has_note(MeshFormat::kStl, "STL holds no UVs, normals, materials or textures: 3 faces lose theirs"));
+  EXPECT_TRUE(has_note(MeshFormat::k3mf, "3MF holds no UVs, normals or textures: 3 faces lose theirs"));
+  EXPECT_TRUE(
+      has_note(MeshFormat::kPly, "PLY as written by Kerf holds no materials or textures: 1 face loses its"));
 }
 
 // The offsets are those of APPNOTE 6.3 and of the format 1.0 of .npy.

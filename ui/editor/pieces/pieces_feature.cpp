@@ -154,7 +154,7 @@ class PieceWriter {
         view.material_names = writer.surfaces_.names(body);
       }
       writer.precision_ += precision_loss(view, format);
-      writer.lost_.add(body, extract, format);
+      writer.lost_.add(body, faces, extract, format);
     }
     Piece(const Piece&) = delete;
     Piece& operator=(const Piece&) = delete;

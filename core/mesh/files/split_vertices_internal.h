@@ -15,8 +15,8 @@
 namespace kerf {
 
 // The vertices of a file with one value per vertex of each kind of looks: positions that differ in one are
-// separate. With UVs or normals every vertex has both, zero and that of the face by default. Tangents of
-// faces without any are a direction across the normal; attributes are 0.
+// separate. UVs and attributes of faces without any are 0. With UVs or normals every vertex has a normal,
+// that of the face by default. Tangents of faces without any are a direction across the normal.
 class SplitVertices {
  public:
   std::vector<std::array<uint32_t, 3>> own_triangles;  // of the vertices; empty if those of the mesh are
@@ -32,8 +32,8 @@ class SplitVertices {
     if (!mesh.looks || !mesh.looks->any()) return;
     looks_ = mesh.looks;
     has_tangents_ = with_tangents && looks_->tangents.any();
-    has_uvs_and_normals_ = !looks_->uv_sets.empty() || looks_->normals.any() || has_tangents_;
-    if (has_uvs_and_normals_) uv_sets.resize(std::max<size_t>(looks_->uv_sets.size(), 1));
+    has_normals_ = !looks_->uv_sets.empty() || looks_->normals.any() || has_tangents_;
+    uv_sets.resize(looks_->uv_sets.size());
     attributes.resize(looks_->attributes.size());
     KeyTable table;
     own_triangles.reserve(mesh.triangles.size());
@@ -59,12 +59,12 @@ class SplitVertices {
     const auto next = static_cast<uint32_t>(positions.size());
     positions.push_back(mesh.triangles[t][i]);
     for (size_t set = 0; set < uv_sets.size(); ++set) {
-      const bool known = set < looks_->uv_sets.size() && looks_->uv_sets[set].corners[t][i] != kNone;
-      const glm::vec2 uv =
-          known ? looks_->uv_sets[set].values[looks_->uv_sets[set].corners[t][i]] : glm::vec2(0);
+      const LookChannel<glm::vec2>& channel = looks_->uv_sets[set];
+      const bool known = channel.corners[t][i] != kNone;
+      const glm::vec2 uv = known ? channel.values[channel.corners[t][i]] : glm::vec2(0);
       uv_sets[set].push_back({uv.x, known && looks_->v_points_down != v_points_down_ ? 1 - uv.y : uv.y});
     }
-    if (has_uvs_and_normals_) {
+    if (has_normals_) {
       const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
       normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
     }
@@ -83,7 +83,7 @@ class SplitVertices {
     if (found == next) return next;
     positions.pop_back();
     for (auto& set : uv_sets) set.pop_back();
-    if (has_uvs_and_normals_) normals.pop_back();
+    if (has_normals_) normals.pop_back();
     if (has_tangents_) tangents.pop_back();
     for (auto& values : attributes) values.pop_back();
     return found;
@@ -110,7 +110,7 @@ class SplitVertices {
     for (const auto& set : uv_sets) {
       for (int k = 0; k < 2; ++k) key = hash_combine(key, number_bits(set[v][k]));
     }
-    for (int k = 0; k < 3 && has_uvs_and_normals_; ++k) key = hash_combine(key, number_bits(normals[v][k]));
+    for (int k = 0; k < 3 && has_normals_; ++k) key = hash_combine(key, number_bits(normals[v][k]));
     for (int k = 0; k < 4 && !tangents.empty(); ++k) key = hash_combine(key, number_bits(tangents[v][k]));
     for (const auto& values : attributes) {
       for (int k = 0; k < 4; ++k) key = hash_combine(key, number_bits(values[v][k]));
@@ -119,7 +119,7 @@ class SplitVertices {
   }
 
   bool v_points_down_;
-  bool has_uvs_and_normals_ = false, has_tangents_ = false;
+  bool has_normals_ = false, has_tangents_ = false;
   const CornerLooks* looks_ = nullptr;
 };
 

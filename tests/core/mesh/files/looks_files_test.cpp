@@ -208,6 +208,19 @@ TEST(LooksOfGltf, round_trip_from_obj) {
   }
 }
 
+TEST(LooksOfGltf, have_no_uvs_that_the_mesh_lacks) {
+  const auto soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n", "a.obj");
+  ASSERT_TRUE(soup.ok());
+  const MeshView view{soup->positions, soup->triangles, {}, {}, {}, {}, {}, &soup->looks};
+  const auto file = nlohmann::json::parse(encoded(view, MeshFormat::kGltf));
+  EXPECT_EQ(file["meshes"][0]["primitives"][0]["attributes"].size(), 2u) << "positions and normals";
+  EXPECT_EQ(file["accessors"].size(), 3u);
+  const auto back = read_gltf(file.dump(), "a.gltf");
+  ASSERT_TRUE(back.ok()) << back.error().message;
+  EXPECT_EQ(back->looks.uv_sets.size(), 0u);
+  expect_near(back->looks.normals, soup->looks.normals, 0);
+}
+
 // Returns the first line with this keyword; empty if there is none.
 std::string text_with(const std::string& keyword, const std::vector<MtlLine>& lines) {
   for (const MtlLine& line : lines) {

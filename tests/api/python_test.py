@@ -158,6 +158,9 @@ class Module(unittest.TestCase):
             file.write_text('v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 3 0\nvt 3 1\nvt 0 1\n'
                             'usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/4\n')
             plate = kerf.read(file)
+            for ending in ('.glb', '.ply'):
+                plate.write(file.with_suffix(ending))
+                self.assertEqual(list(kerf.read(file.with_suffix(ending)).attributes), ['TEXCOORD_0'])
         world = kerf.World()
         world.add(plate)
         world.cut([slot(self.mesh)])

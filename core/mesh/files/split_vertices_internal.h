@@ -15,8 +15,8 @@
 namespace kerf {
 
 // The vertices of a file with one value per vertex of each kind of looks: positions that differ in one are
-// separate. UVs and attributes of faces without any are 0. With UVs or normals every vertex has a normal,
-// that of the face by default. Tangents of faces without any are a direction across the normal.
+// separate. A kind that the mesh lacks is empty. UVs and attributes of faces without any are 0, normals that
+// of the face, and tangents a direction across the normal.
 class SplitVertices {
  public:
   std::vector<std::array<uint32_t, 3>> own_triangles;  // of the vertices; empty if those of the mesh are
@@ -31,8 +31,8 @@ class SplitVertices {
       : v_points_down_(v_points_down) {
     if (!mesh.looks || !mesh.looks->any()) return;
     looks_ = mesh.looks;
+    has_normals_ = looks_->normals.any();
     has_tangents_ = with_tangents && looks_->tangents.any();
-    has_normals_ = !looks_->uv_sets.empty() || looks_->normals.any() || has_tangents_;
     uv_sets.resize(looks_->uv_sets.size());
     attributes.resize(looks_->attributes.size());
     KeyTable table;
@@ -65,12 +65,13 @@ class SplitVertices {
       uv_sets[set].push_back({uv.x, known && looks_->v_points_down != v_points_down_ ? 1 - uv.y : uv.y});
     }
     if (has_normals_) {
-      const bool has_normal = looks_->normals.any() && looks_->normals.corners[t][i] != kNone;
-      normals.push_back(has_normal ? looks_->normals.values[looks_->normals.corners[t][i]] : plane(mesh, t));
+      const uint32_t known = looks_->normals.corners[t][i];
+      normals.push_back(known != kNone ? looks_->normals.values[known] : plane(mesh, t));
     }
     if (has_tangents_) {
       const uint32_t known = looks_->tangents.corners[t][i];
-      tangents.push_back(known != kNone ? looks_->tangents.values[known] : any_tangent(normals.back()));
+      const glm::vec3 normal = has_normals_ ? normals.back() : plane(mesh, t);
+      tangents.push_back(known != kNone ? looks_->tangents.values[known] : any_tangent(normal));
     }
     for (size_t a = 0; a < attributes.size(); ++a) {
       const LookChannel<glm::vec4>& channel = looks_->attributes[a].channel;

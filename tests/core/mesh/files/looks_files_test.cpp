@@ -221,6 +221,27 @@ TEST(LooksOfGltf, have_no_uvs_that_the_mesh_lacks) {
   expect_near(back->looks.normals, soup->looks.normals, 0);
 }
 
+// Nor are vertices of faces with different planes separate.
+TEST(LooksOfGltf, and_of_ply_have_no_normals_that_the_mesh_lacks) {
+  const auto soup = read_obj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
+      "a.obj");
+  ASSERT_TRUE(soup.ok());
+  CornerLooks looks = soup->looks;
+  looks.tangents = {{{1, 0, 0, 1}}, {{0, 0, 0}, {0, 0, 0}}};
+  const MeshView view{soup->positions, soup->triangles, {}, {}, {}, {}, {}, &looks};
+  for (const MeshFormat format : {MeshFormat::kGlb, MeshFormat::kPly}) {
+    SCOPED_TRACE(format_row(format).ending);
+    const std::string bytes = encoded(view, format);
+    const auto back = format == MeshFormat::kPly ? read_ply(bytes, "a") : read_gltf(bytes, "a");
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    EXPECT_FALSE(back->looks.normals.any());
+    EXPECT_EQ(back->looks.tangents.any(), format == MeshFormat::kGlb);
+    EXPECT_EQ(back->positions.size(), 4u);
+    ASSERT_EQ(back->looks.uv_sets.size(), 1u);
+  }
+}
+
 // Returns the first line with this keyword; empty if there is none.
 std::string text_with(const std::string& keyword, const std::vector<MtlLine>& lines) {
   for (const MtlLine& line : lines) {

@@ -158,6 +158,7 @@ void set_looks(kerf_mesh& mesh, CornerLooks looks, std::shared_ptr<const Surface
   if (mesh.looks.tangents.any()) mesh.attribute_names.emplace_back("TANGENT");
   for (const LookAttribute& attribute : mesh.looks.attributes)
     mesh.attribute_names.push_back("_" + attribute.name);
+  mesh.attribute_names = distinct_names(std::move(mesh.attribute_names));
 }
 
 MeshView view_of(const kerf_mesh& mesh) {

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/mesh/files/bytes.h"
@@ -44,6 +46,17 @@ std::string encoded(const MeshView& mesh, MeshFormat format) {
     return true;
   });
   return bytes;
+}
+
+std::vector<std::string> distinct_names(std::vector<std::string> names) {
+  std::set<std::string> taken(names.begin(), names.end()), seen;
+  for (std::string& name : names) {
+    if (seen.insert(name).second) continue;
+    size_t number = 2;
+    while (!taken.insert(name + "_" + std::to_string(number)).second) ++number;
+    name += "_" + std::to_string(number);
+  }
+  return names;
 }
 
 bool emit_ranges(size_t items, const ByteSink& sink,
@@ -282,10 +295,11 @@ std::string ply_name(const LookAttribute& attribute, size_t part) {
 std::string attribute_properties(const MeshView& mesh) {
   std::string lines;
   if (!mesh.looks) return lines;
+  std::vector<std::string> names;
   for (const LookAttribute& attribute : mesh.looks->attributes) {
-    for (size_t part = 0; part < attribute.parts; ++part)
-      lines += "property float " + ply_name(attribute, part) + "\n";
+    for (size_t part = 0; part < attribute.parts; ++part) names.push_back(ply_name(attribute, part));
   }
+  for (const std::string& name : distinct_names(std::move(names))) lines += "property float " + name + "\n";
   return lines;
 }
 

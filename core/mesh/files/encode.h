@@ -64,7 +64,7 @@ void encode_off(const MeshView& mesh, const ByteSink& sink);
 // Little-endian binary PLY with positions in double precision, colours of eight bits, with opacity if any is
 // not opaque, the normals, the first set of UVs and custom attributes as floats, those of vectors as NAME_x
 // and so on; without materials. With looks, vertices are separate as in glTF. Precondition: there are at most
-// 2^31 positions.
+// 2^31 positions. Properties have distinct names, see distinct_names().
 void encode_ply(const MeshView& mesh, const ByteSink& sink);
 // Binary STL with positions rounded to single precision and unit normals computed from the corners; without
 // materials. Preconditions: positions are within the range of float, and there are fewer than 2^32 triangles.
@@ -74,10 +74,10 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 // the primitives follow one another. Positions are rounded to single precision relative to the middle of the
 // mesh, and colours to 16 bits of linear light. Vertices with different looks are separate. Only looks that
 // the mesh has are written; a face without any has zero UVs and its own normal. Tangents and custom
-// attributes, "_NAME", are floats. Materials have the surfaces, whose images are embedded byte for byte;
-// meshes share them. A collider is a node after that of its mesh, at the same place; the mass properties
-// become extras of the node of the mesh, relative to its origin. Preconditions: the extent is within the
-// range of float, and the file has fewer than 2^32 bytes.
+// attributes, "_NAME" with distinct names, are floats. Materials have the surfaces, whose images are embedded
+// byte for byte; meshes share them. A collider is a node after that of its mesh, at the same place; the mass
+// properties become extras of the node of the mesh, relative to its origin. Preconditions: the extent is
+// within the range of float, and the file has fewer than 2^32 bytes.
 void encode_glb(std::span<const MeshView> meshes, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(std::span<const MeshView> meshes, const ByteSink& sink);
@@ -110,6 +110,10 @@ struct MaterialLook {
 // Encodes a library of materials: the colour as Kd, and the gloss as Ks and as the exponent Ns, 0 .. 1000.
 // Numbers are the shortest that are read back exactly. Linear time.
 std::string encode_mtl(std::span<const MaterialLook> materials);
+
+// Makes names distinct: each that equals an earlier one gets the lowest number that makes it a new name, such
+// as "NAME_2". O(n log n) without equal names.
+std::vector<std::string> distinct_names(std::vector<std::string> names);
 
 // Passes the bytes of many items to a sink in order. encode(first, end, part) appends those of a range of
 // items; a limited number of ranges is encoded concurrently and held in memory. Returns false if the sink

@@ -80,6 +80,11 @@ std::vector<Group> by_material(const MeshView& mesh) {
 
 OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
+// Writes U+FFFD for bytes that are not UTF-8.
+std::string gltf_text(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 // A buffer view.
 struct BufferPart {
   size_t offset, bytes;
@@ -159,8 +164,9 @@ class GltfMesh {
     for (size_t set = 0; set < vertices_.uv_sets.size(); ++set)
       add_floats("TEXCOORD_" + std::to_string(set), "VEC2");
     constexpr std::array<const char*, 4> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
-    for (size_t i = 0; i < vertices_.attributes.size(); ++i)
-      add_floats("_" + mesh_.looks->attributes[i].name, kTypes[mesh_.looks->attributes[i].parts - 1u]);
+    const std::vector<std::string> names = attribute_names();
+    for (size_t i = 0; i < names.size(); ++i)
+      add_floats(names[i], kTypes[mesh_.looks->attributes[i].parts - 1u]);
     size_t offset = 0;
     for (size_t g = 0; g < groups_.size(); ++g) {
       OrderedJson primitive{{"attributes", attributes}, {"indices", accessors.size()}};
@@ -229,6 +235,16 @@ class GltfMesh {
   }
 
  private:
+  // Returns the distinct names of the custom attributes in the file.
+  std::vector<std::string> attribute_names() const {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < vertices_.attributes.size(); ++i) {
+      const std::string text = gltf_text("_" + mesh_.looks->attributes[i].name);
+      names.push_back(OrderedJson::parse(text).get<std::string>());
+    }
+    return distinct_names(std::move(names));
+  }
+
   OrderedJson node_of(size_t mesh, std::string_view name) const {
     const Vec3& middle = floats_.middle;
     OrderedJson node{{"mesh", mesh}, {"translation", {middle.x, middle.y, middle.z}}};
@@ -363,10 +379,6 @@ class GltfDocument {
   std::vector<BufferPart> parts_;
   size_t first_image_view_ = 0, bytes_ = 0;
 };
-
-std::string gltf_text(const OrderedJson& json) {
-  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-}
 
 }  // namespace
 

@@ -205,17 +205,16 @@ class GltfReader {
       const auto accessor = file_.index(attributes, key.c_str(), "accessors", where);
       if (!accessor) return accessor.error();
       if (!*accessor) continue;
-      const std::string name = one_line(key.substr(1));
-      auto known = std::find_if(attributes_.begin(), attributes_.end(),
-                                [&](const LookAttribute& a) { return a.name == name; });
-      if (known == attributes_.end()) {
+      auto known = std::find(attribute_keys_.begin(), attribute_keys_.end(), key);
+      if (known == attribute_keys_.end()) {
         if (attributes_.size() == kMaxLookAttributes) {
           record_once(crowded_, "Custom attributes beyond the limit of 16 were ignored.");
           continue;
         }
-        known = attributes_.insert(known, {name, 0, {}});
+        known = attribute_keys_.insert(known, key);
+        attributes_.push_back({one_line(key.substr(1)), 0, {}});
       }
-      accessors.push_back(known - attributes_.begin());
+      accessors.push_back(known - attribute_keys_.begin());
       accessors.push_back(int64_t{**accessor});
     }
     return std::nullopt;
@@ -419,6 +418,7 @@ class GltfReader {
   std::array<std::vector<glm::vec2>, kUvSets> uv_sets_;
   std::vector<glm::vec4> tangents_;
   std::vector<LookAttribute> attributes_;
+  std::vector<std::string> attribute_keys_;  // of these, as in the file
   bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false, unreadable_ = false;
   bool crowded_ = false, unreadable_attributes_ = false;
 };

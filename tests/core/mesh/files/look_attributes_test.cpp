@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -189,6 +190,60 @@ TEST(Attributes, of_ply_need_no_normals_and_do_not_take_names) {
   EXPECT_EQ(ply->positions, sample.soup.positions);
   ASSERT_EQ(ply->looks.attributes.size(), 1u);
   EXPECT_EQ(ply->looks.attributes[0].name, "_x");
+}
+
+// Adds an attribute whose numbers are all its index.
+void add_attribute(const std::string& name, uint8_t parts, Soup& soup) {
+  const auto index = static_cast<float>(soup.looks.attributes.size());
+  glm::vec4 value(0);
+  for (int k = 0; k < parts; ++k) value[k] = index;
+  LookChannel<glm::vec4> channel{{value}, {}};
+  channel.corners.assign(soup.triangles.size(), {0, 0, 0});
+  soup.looks.attributes.push_back({name, parts, std::move(channel)});
+}
+
+AttributeSample one_triangle() {
+  AttributeSample sample;
+  sample.soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  sample.soup.triangles = {{0, 1, 2}};
+  return sample;
+}
+
+std::string names_and_numbers(const Result<Soup>& soup) {
+  if (!soup.ok()) return soup.error().message;
+  std::map<std::string, float> numbers;
+  for (const LookAttribute& attribute : soup->looks.attributes)
+    numbers[attribute.name] = corner_values(attribute.channel).at(0).x;
+  std::string text;
+  for (const auto& [name, number] : numbers)
+    text += name + "=" + std::to_string(static_cast<int>(number)) + " ";
+  return text;
+}
+
+TEST(Attributes, whose_names_are_equal_in_a_file_get_numbers) {
+  AttributeSample sample = one_triangle();
+  for (const char* name : {"a b", "a_b", "x", "_x", "v_x", "q", "q", "q_2", "\xff", "\xfe"})
+    add_attribute(name, 1, sample.soup);
+  add_attribute("v", 2, sample.soup);
+  EXPECT_EQ(names_and_numbers(read_ply(encoded(sample.view(), MeshFormat::kPly), "a.ply")),
+            "_x=2 _x_2=3 a_b=0 a_b_2=1 q=5 q_2=7 q_3=6 v_x=4 v_x_2=10 v_y=10 \xfe=9 \xff=8 ");
+  EXPECT_EQ(names_and_numbers(read_gltf(encoded(sample.view(), MeshFormat::kGltf), "a.gltf")),
+            "_x=3 a b=0 a_b=1 q=5 q_2=7 q_3=6 v=10 v_x=4 x=2 \xef\xbf\xbd=8 \xef\xbf\xbd_2=9 ");
+}
+
+TEST(Attributes, of_gltf_are_those_of_each_key) {
+  AttributeSample sample = one_triangle();
+  for (const char* name : {"a?b", "c"}) add_attribute(name, 1, sample.soup);
+  auto file = nlohmann::json::parse(encoded(sample.view(), MeshFormat::kGltf));
+  nlohmann::json& attributes = file["meshes"][0]["primitives"][0]["attributes"];
+  attributes["_a\tb"] = attributes["_c"];
+  attributes.erase("_c");
+  const auto soup = read_gltf(file.dump(), "a.gltf");
+  ASSERT_TRUE(soup.ok()) << soup.error().message;
+  ASSERT_EQ(soup->looks.attributes.size(), 2u);
+  for (const LookAttribute& attribute : soup->looks.attributes) EXPECT_EQ(attribute.name, "a?b");
+  EXPECT_EQ(corner_values(soup->looks.attributes[0].channel).at(0).x, 1);
+  EXPECT_EQ(corner_values(soup->looks.attributes[1].channel).at(0).x, 0);
 }
 
 // A mirroring transform reverses the sign of the bitangent, so that cross(normal, tangent) * sign is the

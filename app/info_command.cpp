@@ -23,6 +23,7 @@ nlohmann::ordered_json to_json(const Repairs& r) {
           {"degenerate_faces_dropped", r.degenerate_faces_dropped},
           {"non_finite_faces_dropped", r.non_finite_faces_dropped},
           {"invalid_faces_dropped", r.invalid_faces_dropped},
+          {"incomplete_faces_dropped", r.incomplete_faces_dropped},
           {"zero_area_faces", r.zero_area_faces},
           {"isolated_vertices_dropped", r.isolated_vertices_dropped}};
 }

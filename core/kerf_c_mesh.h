@@ -62,8 +62,8 @@ typedef struct kerf_call_options {
 typedef struct kerf_mesh kerf_mesh;
 
 /* Reads a mesh file. Welds equal positions; drops faces with an index out of range, a non-finite
- * position, or two corners at the same position. Lengths in OBJ, PLY, STL and OFF count as metres; 3MF is
- * converted to metres.
+ * position, two corners at the same position, or fewer than three corners. Lengths in OBJ, PLY, STL and OFF
+ * count as metres; 3MF is converted to metres.
  * path: an OBJ, PLY, STL, OFF, glTF, 3MF or Kerf (.kmesh) file; the content decides the format.
  * Errors: KERF_INVALID_ARGUMENT if the file cannot be opened or parsed, or has no usable face;
  * KERF_CANCELLED. O(file size). */

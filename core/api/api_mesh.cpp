@@ -64,6 +64,7 @@ Status convert_soup(Soup soup, const std::string& name, kerf_mesh& mesh) {
   std::vector<size_t> kept;
   Repairs dropped;
   dropped.invalid_faces_dropped = soup.invalid_faces_dropped;
+  dropped.incomplete_faces_dropped = soup.incomplete_faces_dropped;
   for (size_t t = 0; t < soup.triangles.size(); ++t) {
     const std::array<uint32_t, 3>& corners = soup.triangles[t];
     const bool finite =

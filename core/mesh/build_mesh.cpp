@@ -36,6 +36,7 @@ class Builder {
     report_.triangles_in_file = soup_.triangles_in_file;
     report_.warnings = soup_.warnings;
     report_.repairs.invalid_faces_dropped = soup_.invalid_faces_dropped;
+    report_.repairs.incomplete_faces_dropped = soup_.incomplete_faces_dropped;
     constexpr std::array kStages = {
         Stage{&Builder::weld, 0.13},          Stage{&Builder::select_triangles, 0.08},
         Stage{&Builder::group, 0.17},         Stage{&Builder::orient, 0.23},

@@ -14,7 +14,8 @@ namespace kerf {
 class Looks;
 
 // Repairs made while building a mesh. Every triangle of the file is counted: triangles_in_file = faces +
-// degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped.
+// degenerate_faces_dropped + non_finite_faces_dropped + invalid_faces_dropped. Incomplete faces have
+// no triangle.
 struct Repairs {
   size_t welded_vertices = 0;            // used vertices at the position of an earlier vertex of the file
   size_t duplicated_vertices = 0;        // added, because each sheet has vertices of its own
@@ -22,6 +23,7 @@ struct Repairs {
   size_t degenerate_faces_dropped = 0;   // two corners at the same position
   size_t non_finite_faces_dropped = 0;   // a corner with a non-finite coordinate
   size_t invalid_faces_dropped = 0;      // a vertex index out of range
+  size_t incomplete_faces_dropped = 0;   // polygons of the file with fewer than three corners
   size_t zero_area_faces = 0;            // kept, because they connect their neighbours
   size_t isolated_vertices_dropped = 0;  // used by no face of the mesh
 };

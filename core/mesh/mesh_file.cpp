@@ -215,6 +215,10 @@ std::vector<std::string> dropped_notes(const Repairs& r) {
       {" triangle has two corners at the same position and was dropped.",
        " triangles have two corners at the same position and were dropped."},
       notes);
+  add(r.incomplete_faces_dropped,
+      {" face has fewer than three corners and was dropped.",
+       " faces have fewer than three corners and were dropped."},
+      notes);
   return notes;
 }
 

@@ -106,12 +106,13 @@ TEST(Memory, bytes_of_each_format_are_those_of_a_file) {
 
 TEST(Memory, warnings_of_reading_are_values) {
   const std::string text =
-      "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 nan 0\nf 1 2 3\nf 1 2 2\nf 1 2 4\nf 1 2 9\nl 1 2\n";
+      "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 nan 0\nf 1 2 3\nf 1 2 2\nf 1 2 4\nf 1 2 9\nf 1 2\nl 1 2\n";
   const std::vector<std::string> warnings = Mesh::decode(text).warnings();
-  ASSERT_EQ(warnings.size(), 4u);
+  ASSERT_EQ(warnings.size(), 5u);
   EXPECT_EQ(warnings[0], "1 triangle refers to a missing vertex and was dropped.");
   EXPECT_EQ(warnings[1], "1 triangle has a corner that is not a finite number and was dropped.");
   EXPECT_EQ(warnings[2], "1 triangle has two corners at the same position and was dropped.");
+  EXPECT_EQ(warnings[3], "1 face has fewer than three corners and was dropped.");
   EXPECT_TRUE(sheet(1).warnings().empty());
 }
 

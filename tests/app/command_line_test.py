@@ -619,9 +619,12 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(json.loads(shown.group(1)), json.loads(example))
 
     def test_dropped_faces_are_reported(self):
-        self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\n")
-        notes = json.loads(self.run_here("info", "odd.obj").stdout)["notes"]
+        self.write("odd.obj", PLATE + "f 1 2 9\nf 1 1 2\nf 4 1 2 2 3\nf 1 2\n")
+        info = json.loads(self.run_here("info", "odd.obj").stdout)
+        notes = info["notes"]
         self.assertEqual(notes[0], "1 triangle refers to a missing vertex and was dropped.")
+        self.assertIn("1 face has fewer than three corners and was dropped.", notes)
+        self.assertEqual(info["repairs"]["incomplete_faces_dropped"], 1)
         done = self.run_here("cut", "odd.obj", "--out", "out")
         said = done.stderr.splitlines()
         self.assertEqual(said[0], "kerf: note: " + notes[0])

@@ -16,9 +16,9 @@ namespace kerf {
 // other files are read. Points, lines and free-form geometry are ignored with a warning, and so are UVs and
 // normals that are malformed or missing. As in common readers, '#' begins a comment at the start of a line
 // and after numbers, but is part of the names of o, g and usemtl, which extend to the end of the line. Vertex
-// colours range to 1 or to 255 (see ColourNumbers). A face that refers to a missing vertex is dropped and
-// counted. A word in place of a number is an error. Linear in the number of bytes, except for large polygons
-// (see Triangulator). `progress` may be null.
+// colours range to 1 or to 255 (see ColourNumbers). A face that refers to a missing vertex or has fewer
+// than three corners is dropped and counted. A word in place of a number is an error. Linear in the number of
+// bytes, except for large polygons (see Triangulator). `progress` may be null.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name, const Progress* progress,
                       const std::filesystem::path& folder);
 // Likewise without other files.
@@ -32,8 +32,9 @@ bool is_off_keyword(std::string_view word);
 // Reads OFF, COFF, NOFF, STOFF and their combinations in text form, with comments, and with the counts on the
 // line of the keyword or on the next one. Reads positions, vertex colours (see ColourNumbers) and faces;
 // ignores normals, texture coordinates and, with a warning, face colours. Rejects binary OFF and OFF in four
-// or n dimensions. A face that refers to a missing vertex is dropped and counted. Linear in the number of
-// bytes, except for large polygons (see Triangulator). `progress` may be null.
+// or n dimensions. A face that refers to a missing vertex or has fewer than three corners is dropped and
+// counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
+// null.
 Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 
@@ -58,9 +59,9 @@ Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
 // "tristrips" gives triangle strips, each ended by an index of -1, whose triangles count as faces. The image
 // of the first comment "TextureFile" is read from `folder`, the folder of the file, or below, and gives the
 // only material its name; if `folder` is empty, no other file is read. Everything else is ignored; further
-// images and colours of faces, with a warning. A face that refers to a missing vertex is dropped and
-// counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
-// null.
+// images and colours of faces, with a warning. A face that refers to a missing vertex or has fewer than three
+// corners is dropped and counted. Linear in the number of bytes, except for large polygons (see
+// Triangulator). `progress` may be null.
 Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr, const std::filesystem::path& folder = {});
 

@@ -89,7 +89,10 @@ void PolygonList::triangulate(std::span<const Vec3> positions, Soup& soup,
     assert(begin <= ends_[i]);
     if (!parts_.empty()) before.push_back(static_cast<uint32_t>(soup.triangles.size()));
     const uint32_t first = std::exchange(begin, ends_[i]);
-    if (polygon.size() < 3) continue;
+    if (polygon.size() < 3) {
+      ++soup.incomplete_faces_dropped;
+      continue;
+    }
     const bool valid =
         std::all_of(polygon.begin(), polygon.end(), [&](uint32_t v) { return v < positions.size(); });
     soup.triangles_in_file += polygon.size() - 2;
@@ -133,7 +136,9 @@ Error no_face_left(const Soup& soup, const std::string& file_name) {
                      " have fewer than three corners.");
   }
   return bad_input(name + ": no face is usable: all " + std::to_string(soup.faces_in_file) +
-                   " refer to missing vertices.");
+                   (soup.incomplete_faces_dropped == 0
+                        ? " refer to missing vertices."
+                        : " refer to missing vertices or have fewer than three corners."));
 }
 
 }  // namespace kerf

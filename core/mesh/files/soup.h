@@ -36,11 +36,12 @@ struct Soup {
   std::shared_ptr<const SurfaceLibrary> surfaces;  // null if the file describes no material
   bool keeps_corners = false;  // build_mesh keeps the corners of the triangles even if there are no looks
 
-  std::string format;                 // "obj", "off", "stl", "ply", "glb", "gltf"
-  size_t faces_in_file = 0;           // polygons
-  size_t triangles_in_file = 0;       // n - 2 for a polygon of n corners, including invalid ones
-  size_t invalid_faces_dropped = 0;   // triangles of polygons that refer to a missing vertex
-  std::vector<std::string> warnings;  // one sentence each, for the user
+  std::string format;                   // "obj", "off", "stl", "ply", "glb", "gltf"
+  size_t faces_in_file = 0;             // polygons
+  size_t triangles_in_file = 0;         // n - 2 for a polygon of n corners, including invalid ones
+  size_t invalid_faces_dropped = 0;     // triangles of polygons that refer to a missing vertex
+  size_t incomplete_faces_dropped = 0;  // polygons of fewer than three corners, which have no triangle
+  std::vector<std::string> warnings;    // one sentence each, for the user
 };
 
 // Collects the polygons of a file until all positions are known, because faces may precede vertices.
@@ -61,9 +62,9 @@ class PolygonList {
 
   size_t size() const { return triangles_.size() + ends_.size(); }
 
-  // Triangulates valid polygons; drops and counts invalid ones. Fails if none remains. Empties the list.
-  // Stores in `corners`, unless it is null, which corner each corner of a triangle is, by the order of
-  // add_corner(). Precondition: there are no triangles of add_triangles() if `corners` is not null.
+  // Triangulates valid polygons; drops and counts invalid and incomplete ones. Fails if none remains. Empties
+  // the list. Stores in `corners`, unless it is null, which corner each corner of a triangle is, by the order
+  // of add_corner(). Precondition: there are no triangles of add_triangles() if `corners` is not null.
   Result<Soup> to_soup(std::vector<Vec3> positions, const std::string& file_name,
                        std::vector<Soup::Triangle>* corners = nullptr);
 

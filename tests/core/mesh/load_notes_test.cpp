@@ -42,10 +42,14 @@ TEST(LoadNotes, list_exactly_the_dropped_elements_as_dropped) {
   repairs.zero_area_faces = repairs.reoriented_faces = repairs.isolated_vertices_dropped = 5;
   EXPECT_TRUE(dropped_notes(repairs).empty());
   repairs.degenerate_faces_dropped = repairs.non_finite_faces_dropped = repairs.invalid_faces_dropped = 1;
-  const Notes notes = dropped_notes(repairs);
+  Notes notes = dropped_notes(repairs);
   ASSERT_EQ(notes.size(), 3u);
   for (const std::string& note : notes)
     EXPECT_TRUE(note.starts_with("1 triangle ") && note.ends_with("dropped.")) << note;
+  repairs.incomplete_faces_dropped = 2;
+  notes = dropped_notes(repairs);
+  ASSERT_EQ(notes.size(), 4u);
+  EXPECT_EQ(notes[3], "2 faces have fewer than three corners and were dropped.");
 }
 
 }  // namespace

@@ -39,6 +39,16 @@ TEST(ObjReader, counts_an_invalid_polygon_as_all_its_triangles) {
   EXPECT_EQ(soup.invalid_faces_dropped, 3u);
 }
 
+TEST(ObjReader, counts_faces_of_fewer_than_three_corners) {
+  const Soup soup = read(kTriangle + "f 1 2\nf 3\nf 1 9\nf 1 2 3\nf 1 2 9\n");
+  EXPECT_EQ(soup.faces_in_file, 5u);
+  EXPECT_EQ(soup.incomplete_faces_dropped, 3u);
+  EXPECT_EQ(soup.triangles_in_file, 2u);
+  EXPECT_EQ(soup.invalid_faces_dropped, 1u);
+  EXPECT_EQ(obj_refusal(kTriangle + "f 1 2\nf 1 2 9\n"),
+            "t.obj: no face is usable: all 2 refer to missing vertices or have fewer than three corners.");
+}
+
 TEST(ObjReader, accepts_any_line_ending_a_bom_and_trailing_comments) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     std::string text = "\xef\xbb\xbfv 0 0 0#a|v 1 0 0 # b||v 0 1 0|# c \\|f 1 2 3 # d|f 3 \\|2 1";

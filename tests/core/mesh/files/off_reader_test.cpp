@@ -42,6 +42,13 @@ TEST(OffReader, counts_faces_with_missing_vertices) {
   EXPECT_EQ(soup->invalid_faces_dropped, 3u);
 }
 
+TEST(OffReader, counts_faces_of_fewer_than_three_corners) {
+  const Result<Soup> soup = read_off("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n0\n3 0 1 2\n", "t.off");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles_in_file, 1u);
+  EXPECT_EQ(soup->incomplete_faces_dropped, 2u);
+}
+
 TEST(OffReader, rejects_counts_that_exceed_the_file) {
   EXPECT_EQ(off_refusal("OFF\n3 2000000000 0\n0 0 0\n"),
             "t.off, line 2: declares 2000000000 faces, but the 9 bytes that follow cannot hold them.");

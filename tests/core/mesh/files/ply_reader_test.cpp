@@ -52,6 +52,15 @@ TEST(PlyReader, counts_faces_with_missing_vertices) {
   EXPECT_EQ(soup->invalid_faces_dropped, 3u);
 }
 
+TEST(PlyReader, counts_faces_of_fewer_than_three_corners) {
+  const std::string faces = "element face 3\nproperty list uchar int vertex_indices\n";
+  const Result<Soup> soup =
+      read_ply(file(kVertices + faces, "0 0 0\n1 0 0\n0 1 0\n2 0 1\n0\n3 0 1 2\n"), "t.ply");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->triangles_in_file, 1u);
+  EXPECT_EQ(soup->incomplete_faces_dropped, 2u);
+}
+
 TEST(PlyReader, does_not_take_a_newline_in_the_data_for_the_end_of_the_header) {
   std::string elements = "element vertex 3\nproperty char x\nproperty char y\nproperty char z\n" + kFaces;
   std::string data("\n\0\0\0\n\0\0\0\n\3\0\0\0\0\1\0\0\0\2\0\0\0", 22);

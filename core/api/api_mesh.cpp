@@ -10,6 +10,7 @@
 
 #include "core/base/version.h"
 #include "core/mesh/files/soup_file.h"
+#include "core/mesh/measures.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_file.h"
 #include "core/mesh/weld.h"
@@ -136,17 +137,9 @@ Result<std::unique_ptr<kerf_mesh>> mesh_of_soup(Soup soup, const std::string& na
 }
 
 void measure(kerf_mesh& mesh) {
-  const Vec3 origin = mesh.positions.front();  // sums far from zero would lose digits
-  Vec3 sum(0);
-  double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Triangle t = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-    const double own = triangle_area(t);
-    area += own;
-    sum += own / 3 * ((t[0] - origin) + (t[1] - origin) + (t[2] - origin));
-  }
-  mesh.info.area = area;
-  for (int k = 0; k < 3; ++k) mesh.info.centroid[k] = origin[k] + (area > 0 ? sum[k] / area : 0);
+  const SurfaceMeasures measures = measure_surface(mesh.positions, mesh.triangles);
+  mesh.info.area = measures.area;
+  for (int k = 0; k < 3; ++k) mesh.info.centroid[k] = measures.centroid[k];
   mesh.info.orientation[0] = 1;
 }
 

@@ -221,19 +221,9 @@ void measure_closure(Extract& out) {
 
 void measure(Extract& out) {
   KERF_ASSERT(!out.triangles.empty() && !out.positions.empty());
-  double weight = 0;
-  Vec3 sum{0};
-  for (const auto& t : out.triangles) {
-    const Triangle corners = triangle_of(out, t);
-    const double area = triangle_area(corners);
-    out.area += area;
-    // Relative to the first vertex, so that a mesh far from the origin loses no precision.
-    sum +=
-        area / 3 *
-        ((corners[0] - out.positions[0]) + (corners[1] - out.positions[0]) + (corners[2] - out.positions[0]));
-    weight += area;
-  }
-  out.centroid = out.positions[0] + (weight > 0 ? sum / weight : Vec3(0));
+  const SurfaceMeasures measures = measure_surface(out.positions, out.triangles);
+  out.area = measures.area;
+  out.centroid = measures.centroid;
   measure_closure(out);
 }
 

@@ -282,6 +282,31 @@ Result<double> surface_distance(std::span<const Triangle> one, std::span<const T
   return std::sqrt(most);
 }
 
+SurfaceMeasures measure_surface(std::span<const Vec3> positions, std::span<const Corners> triangles) {
+  KERF_ASSERT(!positions.empty());
+  constexpr double kMinPlain = 0x1p-600;  // m^2; moments of smaller areas lose digits
+  const Vec3 origin = positions.front();  // sums far from zero would lose digits
+  const auto for_each_area = [&](const auto& use) {
+    for (const auto& [a, b, c] : triangles) {
+      const Triangle t = {positions[a], positions[b], positions[c]};
+      use(triangle_area(t), (t[0] - origin) + (t[1] - origin) + (t[2] - origin));
+    }
+  };
+  double area = 0;
+  Vec3 moment(0), mean(0);
+  for_each_area([&](double own, const Vec3& corners) {
+    area += own;
+    moment += own / 3 * corners;
+  });
+  const bool fits = std::isfinite(moment.x) && std::isfinite(moment.y) && std::isfinite(moment.z);
+  if (fits && area >= kMinPlain) {
+    mean = moment / area;
+  } else if (area > 0) {
+    for_each_area([&](double own, const Vec3& corners) { mean += own / area / 3 * corners; });
+  }
+  return {area, origin + mean};
+}
+
 EnclosedVolume enclosed_volume(std::span<const Vec3> positions, std::span<const Corners> triangles,
                                const SoupEdges& edges, const Vec3& origin) {
   KERF_ASSERT(edges.triangles() == triangles.size());

@@ -35,6 +35,14 @@ inline constexpr size_t kMaxSampled = 200'000;
 Result<double> surface_distance(std::span<const Triangle> one, std::span<const Triangle> other,
                                 const Progress* progress);
 
+struct SurfaceMeasures {
+  double area = 0;   // m^2
+  Vec3 centroid{0};  // of the area, m; the first position if that is 0
+};
+// Measures triangles that index positions. Precondition: there is a position. Linear time.
+SurfaceMeasures measure_surface(std::span<const Vec3> positions,
+                                std::span<const std::array<uint32_t, 3>> triangles);
+
 // Returns the signed volume of the tetrahedron between an origin and a triangle (m^3), positive if the
 // triangle is clockwise seen from the origin. The sum over closed faces is the volume that they enclose.
 inline double volume_under(const Triangle& t, const Vec3& origin) {

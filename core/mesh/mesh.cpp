@@ -1,5 +1,6 @@
 #include "core/mesh/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
@@ -107,7 +108,28 @@ void VertexColours::set(VertexId v, const VertexColour& colour) {
   cells_.edit(v.index) = colour;
 }
 
-double triangle_area(const Triangle& t) { return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
+namespace {
+
+double half_cross(const Vec3& u, const Vec3& v) { return 0.5 * glm::length(glm::cross(u, v)); }
+
+Vec3 times_power_of_two(const Vec3& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+}  // namespace
+
+double triangle_area(const Triangle& t) {
+  constexpr double kMinPlain = 0x1p-511;  // m^2; the squares in the length of smaller ones lose digits
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0];
+  const double area = half_cross(u, v);
+  if (area >= kMinPlain && std::isfinite(area)) return area;
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) longest = std::max({longest, std::abs(u[k]), std::abs(v[k])});
+  if (!(longest > 0) || !std::isfinite(longest)) return area;
+  const int exponent = std::ilogb(longest);
+  return std::ldexp(half_cross(times_power_of_two(u, -exponent), times_power_of_two(v, -exponent)),
+                    2 * exponent);
+}
 
 double longest_edge2(const Triangle& t) {
   double longest = 0;

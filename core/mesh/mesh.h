@@ -194,6 +194,7 @@ class VertexColours::Change : public ChangeOfParts<VertexColours> {};
 
 using Triangle = std::array<Vec3, 3>;
 
+// Area (m^2), accurate for edges of 1e-150 to 1e150 m.
 double triangle_area(const Triangle& t);
 // Squared length of the longest edge (m^2).
 double longest_edge2(const Triangle& t);

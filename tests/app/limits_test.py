@@ -77,6 +77,16 @@ class Limits(unittest.TestCase):
                 with self.subTest(arguments):
                     self.assert_one_sentence(self.run_kerf(*arguments), name, "is wider than 1e150 m", status=2)
 
+    def test_areas_of_meshes_of_any_size_are_finite(self):
+        for length in ("e80", "e140", "e-100", "e-140"):
+            with open(os.path.join(self.folder, "odd.obj"), "w") as file:
+                file.write(f"v 0 0 0\nv 3{length} 0 0\nv 0 0 4{length}\nf 1 2 3\n")
+            done = self.run_kerf("info", "odd.obj")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            info = json.loads(done.stdout)
+            self.assertAlmostEqual(info["area"] / float("1" + length) / float("1" + length), 6)
+            self.assertEqual(info["repairs"]["zero_area_faces"], 0)
+
     def test_the_memory_limit_is_not_recorded(self):
         done = self.run_kerf("cut", SPHERE, "--path", "across.json", "--out", "out", "--journal", "out.kerf")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -23,6 +23,19 @@ EnclosedVolume volume_of_mesh(const Soup& soup, const Vec3& origin = Vec3(0)) {
   return enclosed_volume(build(soup).mesh, origin);
 }
 
+TEST(SurfaceMeasures, are_accurate_at_any_size) {
+  const Soup ball = moved(sphere(8, 12, 1), {0.3, 0.2, 0.1}, 1);
+  const SurfaceMeasures plain = measure_surface(ball.positions, ball.triangles);
+  EXPECT_LT(glm::length(plain.centroid - Vec3(0.3, 0.2, 0.1)), 1e-12);
+  for (const int exponent : {-480, -350, 0, 200, 350, 480}) {
+    Soup scaled = ball;
+    for (Vec3& p : scaled.positions) p *= std::ldexp(1.0, exponent);
+    const SurfaceMeasures found = measure_surface(scaled.positions, scaled.triangles);
+    EXPECT_EQ(found.area, std::ldexp(plain.area, 2 * exponent)) << exponent;
+    EXPECT_LT(glm::length(std::ldexp(1.0, -exponent) * found.centroid - plain.centroid), 1e-12) << exponent;
+  }
+}
+
 TEST(EnclosedVolume, of_a_box_is_the_product_of_its_sides_for_any_origin) {
   const Soup box = brick({0.5, 0.3, 0.9});
   for (const Vec3& origin : {Vec3(0), Vec3(0.25, 0.15, 0.45), Vec3(-3, 7, 2)}) {

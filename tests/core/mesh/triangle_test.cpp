@@ -12,6 +12,21 @@ TEST(Triangle, area_is_half_base_times_height) {
   EXPECT_EQ(triangle_area({Vec3(0), Vec3(1, 1, 1), Vec3(2, 2, 2)}), 0);
 }
 
+TEST(Triangle, area_neither_overflows_nor_vanishes_at_any_size) {
+  for (const int exponent : {-510, -500, -330, -258, 0, 258, 266, 500}) {
+    const auto at = [&](double x, double y) {
+      return Vec3(std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(1.0, exponent));
+    };
+    EXPECT_EQ(triangle_area({at(1, 2), at(4, 2), at(1, 6)}), std::ldexp(6.0, 2 * exponent)) << exponent;
+    EXPECT_EQ(triangle_area({at(1, 1), at(2, 2), at(4, 4)}), 0) << exponent;
+    // A power of two changes no digit.
+    const double plain = triangle_area({Vec3(0), Vec3(0.3, 0.7, 0.1), Vec3(0.9, -0.2, 0.4)});
+    const Triangle odd{Vec3(0), std::ldexp(1.0, exponent) * Vec3(0.3, 0.7, 0.1),
+                       std::ldexp(1.0, exponent) * Vec3(0.9, -0.2, 0.4)};
+    EXPECT_EQ(triangle_area(odd), std::ldexp(plain, 2 * exponent)) << exponent;
+  }
+}
+
 TEST(Triangle, finds_its_longest_edge_at_any_position) {
   const Vec3 a(0), b(3, 0, 0), c(0, 4, 0);
   EXPECT_EQ(longest_edge2({a, b, c}), 25);

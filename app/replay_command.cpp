@@ -44,7 +44,7 @@ Status play(Match& match, const Recording& recording, const std::optional<MatchF
     if (!film) continue;
     if (const Status followed = film->follow(match, recording.controls[t]); !followed) return followed;
   }
-  return Done{};
+  return film ? film->end() : Done{};
 }
 
 Status judge(const std::string& file, uint64_t hash, const Recording& recording,

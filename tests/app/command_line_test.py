@@ -783,6 +783,20 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(frames("slow", 2), 2 * 6, delta=1)
         self.assertAlmostEqual(frames("fast", 5), 5 * 6, delta=1)
 
+    def test_a_shorter_film_removes_the_later_frames_of_a_longer_one(self):
+        self.journal()
+        self.write_figures()
+        for folder, film in (("slow", ["replay", "plate.kerf", "--frames", "slow", "--fps", 2]),
+                             ("films/shadow", ["figures", "--film", "films", "--list", "figures.json"])):
+            os.makedirs(os.path.join(self.folder.name, folder))
+            own = ["frame-1.png", "frame-99999.jpg", "notes.txt"]
+            for name in ["frame-00000.png", "frame-77777.png", "frame-99999.png", *own]:
+                self.write(os.path.join(folder, name), "earlier")
+            done = self.run_here(*film, "--size", "64x64")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = set(os.listdir(os.path.join(self.folder.name, folder)))
+            self.assertEqual(names, {f"frame-{i:05}.png" for i in range(len(names) - len(own))} | set(own))
+
     def test_a_film_omits_undone_and_recut_strokes(self):
         self.journal()
         with open(os.path.join(self.folder.name, "plate.kerf")) as file:

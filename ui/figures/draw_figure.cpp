@@ -181,7 +181,7 @@ Status film_still(const FilmFormat& format, double seconds, const Progress& prog
     draw(share);
     if (const Status written = renderer.write(frame_file(format.folder, i)); !written) return written;
   }
-  return Done{};
+  return remove_later_frames(format.folder, frames);
 }
 
 Result<RenderedImage> draw_first(const std::filesystem::path& file, const FilmFormat& format) {
@@ -457,7 +457,7 @@ Status film_fight(const std::filesystem::path& file, const FilmFormat& format, c
     const CameraView view = camera.view(frames->aspect(), kFilmFieldOfView);
     if (const Status taken = frames->take(*match, view); !taken) return taken;
   }
-  return Done{};
+  return frames->end();
 }
 
 Status film_graph(const std::filesystem::path& work, const FilmFormat& format, const Progress& progress) {

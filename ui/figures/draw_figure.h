@@ -37,8 +37,9 @@ struct FilmFormat {
   double frames_per_second = 30;  // > 0
 };
 
-// These functions write one film each, without a window. They fail if a file cannot be read, an image
-// cannot be written or OpenGL is not available, and with cancelled() if `progress` stops them.
+// These functions write one film each, without a window, and remove the images of an earlier, longer one from
+// the folder. They fail if a file cannot be read, an image cannot be written or removed or OpenGL is not
+// available, and with cancelled() if `progress` stops them.
 
 // Films the replay of a journal in the time of its world.
 Status film_cut(const std::filesystem::path& journal, const FilmFormat& format, const Progress& progress);

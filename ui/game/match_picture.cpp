@@ -397,6 +397,8 @@ Status MatchFrames::take(const Match& match, const CameraView& view) {
   return write_png(read_pixels(frame.name(), width, height), frame_file(folder, taken++));
 }
 
+Status MatchFrames::end() const { return remove_later_frames(folder, taken); }
+
 MatchFilm::MatchFilm(MatchFrames frames, const Options& options)
     : frames_(std::move(frames)), options_(options) {
   camera_.viewpoint = Viewpoint::kChase;

@@ -237,6 +237,9 @@ struct MatchFrames {
   double aspect() const { return static_cast<double>(frame.shape().width) / frame.shape().height; }
   // Draws and writes the next image. Fails if it cannot be written.
   Status take(const Match& match, const CameraView& view);
+  // Must be called after the last image: removes those of an earlier, longer film from the folder. Fails if
+  // one cannot be removed.
+  Status end() const;
 };
 
 // A film of a match from behind the player's vehicle.
@@ -255,6 +258,8 @@ class MatchFilm {
   // Must be called after each tick, with the player's controls in it. Writes the images that are due. Fails
   // if one cannot be written.
   Status follow(const Match& match, const Controls& controls);
+  // Must be called after the last tick; see MatchFrames::end.
+  Status end() const { return frames_.end(); }
 
  private:
   MatchFilm(MatchFrames frames, const Options& options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -100,6 +101,32 @@ std::filesystem::path frame_file(const std::filesystem::path& folder, size_t fra
   char name[40];
   std::snprintf(name, sizeof name, "frame-%05zu.png", frame);
   return folder / name;
+}
+
+namespace {
+
+// Returns the number of the frame whose file has this name; nullopt if no frame has it.
+std::optional<size_t> frame_named(const std::string& name) {
+  constexpr std::string_view kStem = "frame-";
+  if (!name.starts_with(kStem)) return std::nullopt;
+  size_t frame = 0;
+  const auto [end, fault] = std::from_chars(name.data() + kStem.size(), name.data() + name.size(), frame);
+  return fault == std::errc() && frame_file({}, frame) == name ? std::optional(frame) : std::nullopt;
+}
+
+}  // namespace
+
+Status remove_later_frames(const std::filesystem::path& folder, size_t count) {
+  std::error_code error;
+  const std::filesystem::directory_iterator entries(folder, error);
+  if (error) return failed("cannot list " + folder.string() + ": " + error.message());
+  for (const auto& entry : entries) {
+    const auto frame = frame_named(entry.path().filename().string());
+    if (!frame || *frame < count || entry.is_directory(error)) continue;
+    std::filesystem::remove(entry.path(), error);
+    if (error) return failed("cannot remove " + entry.path().string() + ": " + error.message());
+  }
+  return Done{};
 }
 
 Status write_png(const Pixels& pixels, const std::filesystem::path& file) {

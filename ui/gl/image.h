@@ -29,6 +29,9 @@ Pixels shrunk(const Pixels& all, int width, int height);
 
 // The file of a frame of a film, counted from 0: "frame-00000.png" and so on.
 std::filesystem::path frame_file(const std::filesystem::path& folder, size_t frame);
+// Removes the frames of an earlier, longer film from the folder of a film of `count` frames: all files named
+// like a frame from `count` on. Fails if one cannot be removed. O(files in the folder).
+Status remove_later_frames(const std::filesystem::path& folder, size_t count);
 
 // Writes a PNG atomically. Precondition: the number of bytes matches the size.
 Status write_png(const Pixels& pixels, const std::filesystem::path& file);

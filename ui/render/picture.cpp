@@ -231,7 +231,10 @@ Status Film::pass_ticks(const Document& document) {
   return pass(seconds, document.world(), beam_picture(document, beam_));
 }
 
-Status Film::end(const Document& document) { return pass(kRestAtEnd, document.world(), std::nullopt); }
+Status Film::end(const Document& document) {
+  const Status rested = pass(kRestAtEnd, document.world(), std::nullopt);
+  return rested ? remove_later_frames(options_.folder, frames_) : rested;
+}
 
 double Film::seconds_of(const BeamMove& move) const {
   const double distance = glm::length(middle_ - move.from.origin);

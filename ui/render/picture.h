@@ -113,6 +113,8 @@ class Film {
   Status follow(const Document& document, const StepResult* step);
   // Like follow(), but writes no frames.
   void skip(const Document& document, const StepResult* step);
+  // Writes the last frames and removes those of an earlier, longer film from the folder. Fails if a frame
+  // cannot be written or removed.
   Status end(const Document& document);
 
  private:

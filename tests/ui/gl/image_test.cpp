@@ -46,6 +46,24 @@ TEST(Png, fails_to_read_if_damaged_or_missing) {
   EXPECT_FALSE(read_png(folder / "text.png"));
 }
 
+TEST(Frames, of_a_longer_film_are_removed_and_other_files_are_kept) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "frame-00007.png");
+  const std::vector<std::string> kept{
+      "frame-00000.png",   "frame-00001.png", "frame-0002.png",
+      "frame-000002.png",  "frame-00002.jpg", "frame-00002.png~",
+      "frame--0002.png",   "frame-.png",      "frame-99999999999999999999.png",
+      "my-frame-00002.png"};
+  const std::vector<std::string> later{"frame-00002.png", "frame-00099.png", "frame-100000.png"};
+  for (const auto* const names : {&kept, &later}) {
+    for (const std::string& name : *names) write_text(folder / name, name);
+  }
+  ASSERT_TRUE(remove_later_frames(folder.path(), 2).ok());
+  for (const std::string& name : kept) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  for (const std::string& name : later) EXPECT_FALSE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "frame-00007.png"));
+}
+
 TEST(CutOut, copies_the_region_and_is_clamped_to_the_image) {
   Random random(3);
   const Pixels all = random_pixels(17, 11, random);

@@ -93,15 +93,18 @@ Result<KnifePlane> parse_plane(const std::string& text) {
   return KnifePlane{normal, numbers[3]};
 }
 
-void PictureArguments::add_to(CLI::App& command) {
-  command.add_option("--size", size, "Width and height in pixels, WxH (1280x720)");
-  command.add_option("--eye", eye, "Camera position, x,y,z in metres");
-  command.add_option("--target", target, "Point at the centre of the view, x,y,z in metres");
-  command.add_option("--section", section,
-                     "Section plane, \"x,y,z x,y,z\": point and normal, as copied in the editor; hides the "
-                     "side of the normal");
-  command.add_option(
-      "--show", show,
+void PictureArguments::add_to(CLI::App& command, CLI::Option* needed) {
+  const auto add = [&](const char* name, std::string& text, const std::string& help) {
+    CLI::Option* const option = command.add_option(name, text, help);
+    if (needed != nullptr) option->needs(needed);
+  };
+  add("--size", size, "Width and height in pixels, WxH (1280x720)");
+  add("--eye", eye, "Camera position, x,y,z in metres");
+  add("--target", target, "Point at the centre of the view, x,y,z in metres");
+  add("--section", section,
+      "Section plane, \"x,y,z x,y,z\": point and normal, as copied in the editor; hides the side of the "
+      "normal");
+  add("--show", show,
       "Overlays, separated by commas (those of the scene, or shadows): " + offered_show_names());
 }
 

@@ -74,8 +74,9 @@ Result<FileUnit> parse_unit(const std::string& unit);
 struct PictureArguments {
   std::string size = "1280x720", eye, target, section, show;
 
-  // Adds the options to a subcommand. Parsing fills this object.
-  void add_to(CLI::App& command);
+  // Adds the options to a subcommand. Parsing fills this object, and rejects the options without `needed`,
+  // unless that is null.
+  void add_to(CLI::App& command, CLI::Option* needed = nullptr);
   // Checks the options. The error names the first wrong one.
   Result<PictureOptions> parse() const;
 };

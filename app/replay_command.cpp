@@ -319,7 +319,7 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
                           "meshes in four seconds, and undone commands are left out");
   add_number(*command, "--fps", a->frames_per_second, {1, 1000}, "Frames per second of the film (30)")
       ->needs(frames);
-  a->picture.add_to(*command);
+  a->picture.add_to(*command, frames);
   on_call(
       *command, invocation, [a] { return ReplayRun(*a).run(); }, "kerf replay assets/scenes/figure-08.kerf");
 }

@@ -766,6 +766,9 @@ class CommandLine(unittest.TestCase):
                            (["plate.kerf", "--expect", "12"], "--expect"), (["plate.kerf", "--fps", "10"], "--frames"),
                            (["plate.kerf", "--frames", "f", "--fps", "0"], "--fps")):
             self.assert_refused(self.run_here("replay", *args), 2, word)
+        for option, value in (("--size", "64x48"), ("--eye", "0,2,1"), ("--target", "0,0,0"), ("--section", "0,0,0 0,1,0"),
+                              ("--show", "wire")):
+            self.assert_refused(self.run_here("replay", "plate.kerf", option, value), 2, f"{option} requires --frames")
         self.write("plate.obj", PLATE + "v 1 2 3\n")
         self.assert_refused(self.run_here("replay", "plate.kerf"), 2, "plate.obj: the mesh differs")
         os.remove(os.path.join(self.folder.name, "plate.obj"))

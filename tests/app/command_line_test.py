@@ -739,6 +739,7 @@ class CommandLine(unittest.TestCase):
         done = self.run_here("replay", "other.kerf")
         self.assertEqual((done.returncode, done.stdout), (1, hash_of_cut + "\n"))
         self.assertRegex(done.stderr, r"^kerf: other.kerf: line 5: after command 3 \(End the stroke\) .*\n$")
+        self.assertEqual(self.run_here("replay", "plate.kerf", "--expect", hash_of_cut.upper()).returncode, 0)
         done = self.run_here("replay", "plate.kerf", "--expect", "0123456789abcdef")
         self.assertEqual(done.returncode, 1)
         self.assertIn("--expect", done.stderr)

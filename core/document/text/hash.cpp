@@ -1,6 +1,7 @@
 #include "core/document/text/hash.h"
 
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -59,13 +60,10 @@ std::string hash_text(uint64_t hash) {
 }
 
 std::optional<uint64_t> parse_hash(std::string_view text) {
-  if (text.size() != kLength) return std::nullopt;
   uint64_t hash = 0;
-  for (const char c : text) {
-    const size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    hash = hash << 4 | digit;
-  }
+  const char* const last = text.data() + text.size();
+  const auto [end, fault] = std::from_chars(text.data(), last, hash, 16);
+  if (text.size() != kLength || fault != std::errc() || end != last) return std::nullopt;
   return hash;
 }
 

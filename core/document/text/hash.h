@@ -19,7 +19,7 @@ Result<uint64_t> file_hash(const std::filesystem::path& file, const Progress* pr
 // Formats a hash for files and reports: sixteen lower-case hexadecimal digits.
 std::string hash_text(uint64_t hash);
 
-// Parses a text of hash_text(). Returns nullopt for any other text.
+// Parses a text of hash_text(), in either case. Returns nullopt for any other text.
 std::optional<uint64_t> parse_hash(std::string_view text);
 // The rule stated in errors.
 inline constexpr const char* kHashRule = "must be sixteen hexadecimal digits";

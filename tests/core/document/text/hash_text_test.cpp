@@ -18,9 +18,15 @@ TEST(HashText, sixteen_hex_digits_round_trip) {
   }
 }
 
+TEST(HashText, upper_case_digits_are_accepted) {
+  EXPECT_EQ(parse_hash("0123456789ABCDEF"), uint64_t{0x0123456789abcdef});
+  EXPECT_EQ(parse_hash("fFfFfFfFfFfFfFfF"), ~uint64_t{0});
+}
+
 TEST(HashText, rejects_any_other_text) {
   for (const char* text : {"", "123456789abcdef", "00123456789abcdef", "0123456789abcdeg", "0123456789abcde ",
-                           " 123456789abcdef", "0x23456789abcdef", "-123456789abcdef", "+123456789abcdef"})
+                           " 123456789abcdef", "0x23456789abcdef", "-123456789abcdef", "+123456789abcdef",
+                           "-123456789ABCDEF", "0X23456789ABCDEF", "0123456789ABCDEG"})
     EXPECT_FALSE(parse_hash(text)) << text;
 }
 

@@ -120,7 +120,8 @@ Result<PictureOptions> PictureArguments::parse() const {
   if (!target.empty()) {
     if (const Status s = unpack(parse_point("--target", target), options.target); !s) return s.error();
   }
-  if (const Status s = unpack(parse_show_list(show), options.show); !s) return s.error();
+  if (const Status s = unpack(parse_show_list(show), options.show); !s)
+    return bad_input("--show: " + s.error().message);
   if (!section.empty()) {
     const auto plane = parse_section(section);
     if (!plane) return bad_input("--section: " + plane.error().message);

@@ -348,7 +348,7 @@ class CommandLine(unittest.TestCase):
                            (["cut", "plate.obj", "--out", "o", "--path", "missing.json"], "missing.json"),
                            (["render", "plate.obj", "--out", "p.png", "--size", "0x5"], "--size"),
                            (["render", "plate.obj", "--out", "p.png", "--eye", "1,2"], "--eye"),
-                           (["render", "plate.obj", "--out", "p.png", "--show", "hot"], "hot"),
+                           (["render", "plate.obj", "--out", "p.png", "--show", "hot"], "kerf: --show: 'hot' is not an overlay"),
                            (["--report"], "report")):
             self.assert_refused(self.run_here(*args), 2, word)
 
@@ -529,6 +529,9 @@ class CommandLine(unittest.TestCase):
                                         ({"view": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": "y"}}, "/view/up", "eye")):
             self.write("scene.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], **scene}))
             self.assert_refused(self.run_here("cut", "scene.json", "--out", "o"), 2, f"scene.json: {pointer}: ", f'"{nearest}"')
+        self.write("scene.json", json.dumps({"bodies": [{"mesh": "plate.obj"}], "show": ["wires"]}))
+        done = self.run_here("render", "scene.json", "--out", "p.png")
+        self.assert_refused(done, 2, "kerf: scene.json: /show: 'wires' is not an overlay")
         self.write("settings.json", json.dumps({"thicknes": 1}))
         done = self.run_here("cut", "plate.obj", "--out", "o", "--settings", "settings.json")
         self.assert_refused(done, 2, "/thicknes", '"thickness"')

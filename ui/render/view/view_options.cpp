@@ -418,8 +418,7 @@ Result<ShowOptions> parse_show_list(std::string_view list) {
       known->set(look, known->states.size() - 1);
       continue;
     }
-    return bad_input("--show: '" + std::string(word) +
-                     "' is not an overlay; valid names: " + offered_show_names());
+    return bad_input("'" + std::string(word) + "' is not an overlay; valid names: " + offered_show_names());
   }
   return look.show;
 }

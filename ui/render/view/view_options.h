@@ -146,7 +146,7 @@ struct ShowOptions {
 ShowOptions default_show();
 
 // Parses names separated by commas; blanks around them and an empty list are accepted. The error for an
-// unknown name lists the valid ones.
+// unknown name lists the valid ones; the caller prepends the option or key of the list.
 Result<ShowOptions> parse_show_list(std::string_view list);
 
 // The names that parse_show_list accepts, for --help: "aabb, aabb-hit, ...".

@@ -46,17 +46,24 @@ void replay_all(const Journal& journal, Document& document,
 
 constexpr int kMaxSide = 16384;
 
-CameraView selected_view(const PictureOptions& options, const std::optional<View>& scene,
-                         const World::Bounds& bounds) {
+// Fails if the eye is the target, so that the view has no direction.
+Result<CameraView> selected_view(const PictureOptions& options, const std::optional<View>& scene,
+                                 const World::Bounds& bounds) {
   const double aspect = static_cast<double>(options.width) / options.height;
   const Vec3 middle = bounds.min + (bounds.max - bounds.min) * 0.5;
-  if (options.eye) return look_at(*options.eye, options.target.value_or(middle), aspect);
-  if (scene) return look_at(scene->eye, options.target.value_or(scene->target), aspect);
+  const auto view_from = [&](const Vec3& eye, const Vec3& otherwise) -> Result<CameraView> {
+    const Vec3 target = options.target.value_or(otherwise);
+    if (eye == target)
+      return bad_input("the camera is at the centre of its view; give another --eye or --target");
+    return look_at(eye, target, aspect);
+  };
+  if (options.eye) return view_from(*options.eye, middle);
+  if (scene) return view_from(scene->eye, scene->target);
   Camera camera;
   camera.frame_default(bounds, aspect);
   camera.finish();
   const CameraView view = camera.view(aspect);
-  return options.target ? look_at(view.eye, *options.target, aspect) : view;
+  return options.target ? view_from(view.eye, *options.target) : view;
 }
 
 constexpr double kSecondsAcross = 4;
@@ -127,6 +134,8 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
     return bad_input("the size of an image must be from 1x1 to " + std::to_string(kMaxSide) + "x" +
                      std::to_string(kMaxSide));
   }
+  const auto view = selected_view(options, scene.view, scene.world.bounds());
+  if (!view) return view.error();
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
   gl::Framebuffer picture({options.width, options.height, 1, false});
@@ -138,7 +147,7 @@ Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const Pict
 
   OffscreenRenderer renderer(std::move(*context), std::move(picture), std::move(*made));
   renderer.renderer_.show(scene.world, scene.paints);
-  renderer.view_ = selected_view(options, scene.view, scene.world.bounds());
+  renderer.view_ = *view;
   renderer.look_.show = options.show;
   renderer.look_.section =
       options.section.value_or(section_through(scene.world.bounds(), -renderer.view_.forward));

@@ -60,7 +60,8 @@ Status render_picture(OpenedFile work, const PictureOptions& options, const std:
 // exists.
 class OffscreenRenderer {
  public:
-  // Precondition: the scene is uncut. Fails if OpenGL is not available or does not support the size.
+  // Precondition: the scene is uncut. Fails if the eye is the target, or if OpenGL is not available or does
+  // not support the size.
   static Result<OffscreenRenderer> open(const Scene& scene, const PictureOptions& options);
 
   // Follows a change of the world; `step` is null if the changes are unknown.

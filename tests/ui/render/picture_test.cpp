@@ -122,6 +122,16 @@ TEST(Picture, the_rim_of_a_cut_is_brighter_and_warmer_than_paint) {
   EXPECT_GT(warmest(cut), 100);
 }
 
+TEST(Picture, needs_an_eye_that_is_not_the_target) {
+  Scene scene = scene_of(test::sphere(8, 12, 1));
+  scene.view = View{{0, 0, 6}, {1, 0, 0}};
+  PictureOptions at_the_eye;
+  at_the_eye.target = scene.view->eye;
+  const auto drawn = draw_picture({std::move(scene), {}}, at_the_eye);
+  ASSERT_FALSE(drawn.ok());
+  EXPECT_EQ(drawn.error().code, ErrorCode::kBadInput);
+}
+
 TEST(Picture, every_overlay_is_visible) {
   Scene scene =
       scene_of(test::both(test::sphere(24, 32, 1), test::moved(test::sphere(8, 12, 0.3), {0, 1.6, 0}, 1)));

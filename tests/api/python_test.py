@@ -521,6 +521,13 @@ class Module(unittest.TestCase):
                 if signature.count(':') > 1 and name != 'World.add':
                     self.assertIn('Raises', actual.__doc__ if name != 'World.all_hits' else kerf.World.nearest_hits.__doc__)
 
+    def test_the_docstring_and_the_type_hint_of_is_closed_state_the_rule_of_the_library(self):
+        with open(os.path.splitext(kerf.__file__)[0] + '.pyi', encoding='utf-8') as text:
+            hints = text.read()
+        rule = 'a piece of a world that uses each edge equally often in both directions'
+        self.assertIn(rule, kerf.Mesh.is_closed.__doc__)
+        self.assertIn(rule, hints)
+
     def test_threads_read_one_world_concurrently(self):
         self.world.cut(slot(self.mesh))
         v = np.array(self.mesh.vertices)

@@ -241,10 +241,9 @@ void write_graph(const InspectArguments& a, const Document& document) {
   (a.dot ? write_graph_dot : write_graph_json)(graph, pieces, document.world(), std::cout);
 }
 
+// Replaces bytes of names that are not UTF-8.
 Status write(const nlohmann::ordered_json& json) {
-  const Result<std::string> text = dump_json(json);
-  if (!text) return text.error();
-  std::cout << *text << "\n";
+  std::cout << json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   return Done{};
 }
 

@@ -84,8 +84,7 @@ class PrepareRun {
     const size_t before = world_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    summarize(std::to_string(before) + " faces became " + std::to_string(world_.live_faces()) + " in " +
-              out_name());
+    summarize(count_text(before, "face") + " became " + grouped(world_.live_faces()) + " in " + out_name());
     return Done{};
   }
 

@@ -308,6 +308,13 @@ class CommandLine(unittest.TestCase):
         self.assertEqual([box["leaf"] for box in cut["boxes"]].count(True), cut["faces"])
         self.assertTrue(any(box["hit"] for box in cut["boxes"]))
 
+    def test_inspect_replaces_the_bytes_of_names_that_are_not_utf_8(self):
+        name = os.fsdecode(b"pl\xe4te.obj")
+        self.write(name, PLATE)
+        done = self.run_here("inspect", name, "--tree")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([body["body"] for body in json.loads(done.stdout)["bodies"]], ["pl\ufffdte"])
+
     def test_inspect_writes_the_stages_of_a_move_up_to_the_result_of_the_cut(self):
         report = self.cut("--journal", "cut.kerf")
         beyond = self.run_here("inspect", "cut.kerf", "--step", "1000000")
@@ -457,6 +464,9 @@ class CommandLine(unittest.TestCase):
         self.run_here("prepare", "a.ply", "--subdivide", "midpoint", "--out", "b.ply")
         done = self.run_here("prepare", "b.ply", "--simplify-error", "0.001", "--out", "c.ply")
         self.assertRegex(done.stderr, "^kerf: 96 faces became [0-9]+ in c.ply\n$")
+        self.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n")
+        done = self.run_here("prepare", "one.obj", "--subdivide", "midpoint", "--out", "four.obj")
+        self.assertEqual(done.stderr, "kerf: 1 face became 4 in four.obj\n")
 
     def test_prepare_reports_when_boundaries_prevent_the_requested_face_count(self):
         done = self.run_here("prepare", "plate.obj", "--subdivide", "midpoint", "--simplify", "1", "--out", "a.obj")

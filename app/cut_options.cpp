@@ -1,6 +1,7 @@
 #include "app/cut_options.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/arguments.h"
 #include "core/base/platform.h"
@@ -235,10 +236,14 @@ bool is_resolution(const std::string& key) {
 
 // Returns why the options leave no walls, and what to remove; "" if they leave walls.
 std::string obstacle_to_walls(const CutOptions& o) {
-  if (o.pattern == "rays4") return "walls need the whole volume of the beam; remove --pattern rays4";
-  if (o.model == "thermal") return "walls need the geometric model; remove --model thermal";
-  if (o.rim == "faces") return "walls need a smooth rim; remove --rim faces";
-  return "";
+  CutSettings settings;
+  if (o.pattern == "rays4") settings.laser.pattern = Pattern::kRays4;
+  if (o.model == "thermal") settings.model = Model::kThermal;
+  settings.resolution.rim = o.rim == "faces" ? Rim::kFaces : Rim::kSmooth;
+  const WallNeed need = settings.unmet_wall_need();
+  constexpr std::array kObstacles{"", "--pattern rays4", "--model thermal", "--rim faces"};
+  if (need == WallNeed::kNone) return "";
+  return std::string(label(need)) + "; remove " + kObstacles.at(static_cast<size_t>(need));
 }
 
 Status check_rim(const CutOptions& o) {

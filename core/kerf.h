@@ -505,9 +505,9 @@ class World {
   }
 
   // Cuts all visible bodies, or those of the settings, with strokes, in order, all or nothing; see
-  // kerf_world_cut. Throws InvalidArgument for an invalid stroke or setting, or if the world has no mesh;
-  // Error if a body would exceed the maximum number of faces; Cancelled; Busy. About 1 us per created or
-  // removed face.
+  // kerf_world_cut. Throws InvalidArgument for an invalid stroke or setting, without a mesh, or for a solid
+  // if the rim is not smooth or the model thermal; Error if a body would exceed the maximum number of faces;
+  // Cancelled; Busy. About 1 us per created or removed face.
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
                 const CallOptions& options = {}) {
     std::vector<kerf_stroke> c_strokes;

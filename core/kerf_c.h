@@ -72,7 +72,7 @@ typedef struct kerf_body_desc {
   const char* material;  /* a name from `kerf materials`; null: mild steel */
   double thickness;      /* of the sheet [m], 1e-9 to 1000 */
   double density;        /* kg/m^3, 1e-3 to 1e6; 0: that of the material */
-  int is_solid;          /* 1: the faces enclose a volume; strokes with a smooth rim close it by walls */
+  int is_solid;          /* 1: the faces enclose a volume; strokes need a smooth rim and close it by walls */
   int is_hidden;         /* 1: neither cut nor hit by rays */
   int is_fixed;          /* 1: does not move in a simulation */
   int reserved;          /* 0 */
@@ -236,7 +236,8 @@ typedef struct kerf_stroke {
 #define KERF_STROKE_INIT \
   { sizeof(kerf_stroke), NULL, 0, 0, {0, 0}, 2000, 0, HUGE_VAL, 0, 1, KERF_ASSIST_NONE, 0 }
 
-/* Settings of a cut. The defaults, or a null pointer instead, equal `kerf cut` without options. */
+/* Settings of a cut. The defaults, or a null pointer instead, equal `kerf cut` without options, except that a
+ * solid is cut only with KERF_RIM_SMOOTH. */
 typedef struct kerf_cut_settings {
   size_t size;
   kerf_rim rim;       /* FACES removes every face the beam touches; SMOOTH cuts faces along the beam */
@@ -278,9 +279,10 @@ typedef struct kerf_cut_result {
  * strokes: stroke_count strokes; may be null if there is none.
  * settings, options: may be null.
  * result: receives the results; may be null.
- * Errors: KERF_INVALID_ARGUMENT for an invalid stroke or setting, or if the world has no mesh; KERF_FAILED
- * if a body would exceed the maximum number of faces, or the world the memory; KERF_CANCELLED. About 1 us per
- * created or removed face. */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid stroke or setting, if the world has no mesh, or if one of the
+ * bodies is solid and the rim is not smooth or the model thermal; KERF_FAILED if a body would exceed the
+ * maximum number of faces, or the world the memory; KERF_CANCELLED. About 1 us per created or removed face.
+ */
 KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,
                                     const kerf_cut_settings* settings, const kerf_call_options* options,
                                     kerf_cut_result* result);

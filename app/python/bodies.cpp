@@ -136,7 +136,7 @@ void add_access(WorldClass& world) {
            "material: a name from `kerf materials`; None: mild steel.\n"
            "thickness: of the sheet, metres, 1e-9 to 1000.\n"
            "density: kg/m^3, 1e-3 to 1e6; None: that of the material.\n"
-           "is_solid: the faces enclose a volume; strokes with a smooth rim close it by walls.\n"
+           "is_solid: the faces enclose a volume; strokes need a smooth rim and close it by walls.\n"
            "is_hidden: neither cut nor hit by rays.\n"
            "is_fixed: does not move in a simulation.\n\n"
            "Raises TypeError for another object, ValueError for bad arrays or values, and Busy.")

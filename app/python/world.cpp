@@ -110,7 +110,8 @@ void add_cuts(WorldClass& world) {
            "with the thermal model.\n"
            "tolerance: instead, maximum overshoot of removed faces beyond the beam, in metres.\n"
            "max_level: instead, the maximum refinement level, 0 to 24.\n"
-           "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam.\n"
+           "rim: \"faces\" removes every face that the beam touches, \"smooth\" cuts faces along the beam; "
+           "solids need a smooth one and the geometric model.\n"
            "scheme: \"longest-edge\" or \"one-to-four\", the subdivision of faces.\n"
            "model: \"geometric\" removes faces immediately, \"thermal\" when they have absorbed enough "
            "energy.\n"
@@ -121,8 +122,9 @@ void add_cuts(WorldClass& world) {
            "threads: maximum number of threads, 0 to 1024; 0: one per processor.\n\n"
            "Returns a dict of removed_faces, removed_area (m^2) and seconds; and for the thermal model, else "
            "0, the energies emitted and absorbed (J) and depth, the mean depth under the beam, 0 to 1.\n\n"
-           "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh, "
-           "Cancelled, Busy, and Error if a body would get too many faces. A failed cut changes nothing.")
+           "Raises TypeError or ValueError for a wrong argument, ValueError if the world has no mesh or a "
+           "solid would stay open, Cancelled, Busy, and Error if a body would get too many faces. A failed "
+           "cut changes nothing.")
       .def("cut_plane", &cut_plane, py::arg("normal"), py::arg("offset"), py::kw_only(),
            py::arg("progress") = py::none(), py::arg("threads") = 0,
            "Cuts all visible bodies along a plane by a knife of no width, which removes nothing; both sides "

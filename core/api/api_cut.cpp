@@ -166,6 +166,19 @@ Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   return Done{};
 }
 
+// Fails if the settings leave a solid open that they cut.
+Status check_walls(const World& world, const CutSettings& settings) {
+  const WallNeed need = settings.unmet_wall_need();
+  if (need == WallNeed::kNone) return Done{};
+  for (const BodyId id : cuttable(world, settings)) {
+    if (!world.body(id).solid) continue;
+    const std::string where = need == WallNeed::kGeometricModel ? "model" : "rim";
+    return bad_input(where + ": the body \"" + world.body(id).own_name() + "\" is solid, and its " +
+                     label(need) + "; use that, or make the body a sheet");
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, const kerf_stroke* strokes,
@@ -189,6 +202,7 @@ Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, 
     if (!path) return path.error();
     const CutSettings own = settings_of(settings, *path, stroke->assist, diagonal);
     if (const Status usable = check_usable(own, i, diagonal); !usable) return usable.error();
+    if (const Status walls = check_walls(world.document.world(), own); !walls) return walls.error();
     std::vector<Command> commands = stroke_commands(*path, own);
     all.push_back({std::move(*path), std::move(commands)});
   }

@@ -1,6 +1,7 @@
 #include "core/cut/cut_step.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/base/assert.h"
@@ -209,6 +210,12 @@ Result<StepResult> cut_one(World& world, const CutSettings& settings, BodyId id,
 }
 
 }  // namespace
+
+const char* label(WallNeed need) {
+  constexpr std::array kLabels{"", "walls need the whole volume of the beam",
+                               "walls need the geometric model", "walls need a smooth rim"};
+  return kLabels.at(static_cast<size_t>(need));
+}
 
 std::vector<BodyId> cuttable(const World& world) {
   std::vector<BodyId> ids = world.ids();

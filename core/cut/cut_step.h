@@ -132,6 +132,11 @@ struct Resolution {
   friend bool operator==(const Resolution&, const Resolution&) = default;
 };
 
+// Requirement of the walls of solids that the settings of a cut do not meet.
+enum class WallNeed { kNone, kWholeBeam, kGeometricModel, kSmoothRim };
+// Returns the requirement as a clause: "walls need a smooth rim"; "" for kNone.
+const char* label(WallNeed need);
+
 struct CutSettings {
   Laser laser;
   Resolution resolution;
@@ -143,8 +148,12 @@ struct CutSettings {
   double heat_width = 0;
   // Returns true if the cut leaves a smooth rim. That requires Pattern::kVolume and Model::kGeometric, with
   // which the beam removes everything inside its volume.
-  bool smooth() const {
-    return resolution.rim == Rim::kSmooth && laser.pattern == Pattern::kVolume && model == Model::kGeometric;
+  bool smooth() const { return unmet_wall_need() == WallNeed::kNone; }
+  // Returns why the cut leaves solids open; kNone if it leaves a smooth rim, along which walls close them.
+  WallNeed unmet_wall_need() const {
+    if (laser.pattern != Pattern::kVolume) return WallNeed::kWholeBeam;
+    if (model != Model::kGeometric) return WallNeed::kGeometricModel;
+    return resolution.rim == Rim::kSmooth ? WallNeed::kNone : WallNeed::kSmoothRim;
   }
   // Maximum number of live faces of a body; a cut that would exceed it fails. The default is the limit of
   // 32-bit half-edge indices; memory runs out earlier (see Document::set_face_budget).

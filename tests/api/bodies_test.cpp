@@ -114,6 +114,45 @@ TEST(Bodies, a_solid_is_closed_by_walls) {
   EXPECT_NEAR(hit.distances[0], 0.01, 1e-12);
 }
 
+TEST(Bodies, a_solid_is_not_cut_open_by_settings_without_walls) {
+  World world;
+  BodyDesc desc;
+  desc.name = "crate";
+  desc.is_solid = true;
+  const BodyId solid = world.add(box(2), desc);
+  const BodyId other = world.add(sheet(10), "plate");
+  Stroke stroke = through_the_middle();
+  stroke.keys[0].origin[1] = stroke.keys[1].origin[1] = 2;
+  stroke.range = {0, 4};
+  const std::string before = world.hash();
+  const auto refusal = [&](const CutSettings& settings, bool in_steps) -> std::string {
+    try {
+      if (in_steps) world.begin_stroke(stroke, settings);
+      if (!in_steps) world.cut(stroke, settings);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const bool in_steps : {false, true}) {
+    EXPECT_EQ(
+        refusal({}, in_steps),
+        "rim: the body \"crate\" is solid, and its walls need a smooth rim; use that, or make the body a "
+        "sheet");
+    EXPECT_EQ(refusal({.model = KERF_MODEL_THERMAL, .bodies = {solid}}, in_steps),
+              "model: the body \"crate\" is solid, and its walls need the geometric model; use that, or make "
+              "the body a sheet");
+    EXPECT_EQ(world.hash(), before);
+  }
+  world.set_hidden(solid, 0, true);
+  EXPECT_EQ(refusal({}, false), "");
+  world.undo();
+  world.undo();
+  EXPECT_EQ(refusal({.bodies = {other}}, false), "");
+  world.undo();
+  EXPECT_EQ(refusal({.rim = KERF_RIM_SMOOTH}, false), "");
+}
+
 TEST(Bodies, a_plane_cuts_a_solid_into_closed_halves_until_undo) {
   World world;
   BodyDesc desc;
@@ -183,15 +222,15 @@ TEST(Bodies, a_journal_contains_what_was_not_undone) {
   world.undo();
   world.add(sheet(10), "first");
   world.add(box(2), desc);
-  world.cut(through_the_middle(), {.material = "copper"});
-  world.cut(through_the_middle());
+  world.cut(through_the_middle(), {.rim = KERF_RIM_SMOOTH, .material = "copper"});
+  world.cut(through_the_middle(), {.rim = KERF_RIM_SMOOTH});
   world.undo();
   desc.position = {0, 0.2, 0};
   desc.material = "pmma";
   desc.is_hidden = true;
   const BodyId later = world.add(sheet(4), desc);
   world.set_hidden(later, 0, false);
-  world.cut(through_the_middle(), {.bodies = {later}});
+  world.cut(through_the_middle(), {.rim = KERF_RIM_SMOOTH, .bodies = {later}});
   const std::string file = testing::TempDir() + "kerf-later.kerf";
   world.save_journal(file);
   World again(file);

@@ -57,7 +57,8 @@ KERF_API kerf_result kerf_world_create(kerf_world** out);
 /* Creates a world from a file.
  * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh. An incomplete last
  *   line of a journal is ignored.
- * Errors: KERF_INVALID_ARGUMENT for an invalid file. Cost: loading the meshes and replaying the cuts. */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid file; KERF_FAILED, e.g. if the strokes of a scene would make
+ * more faces than the memory holds. Cost: loading the meshes and replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out);
 
 /* Destroys a world. No-op if `world` is null. Precondition: no other call uses the world. */

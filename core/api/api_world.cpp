@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/platform.h"
+#include "core/document/command_queue.h"
 #include "core/document/cut_effects.h"
 #include "core/document/extract.h"
 #include "core/document/journal.h"
@@ -235,6 +237,8 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   const size_t window = document.history().window();
   document = document_of(std::move(file->scene.world), file->scene);
   document.set_window(window);
+  // As in `kerf cut`. A journal is replayed without a limit, as in `kerf replay`.
+  if (journal.commands.empty()) document.set_face_budget(usual_face_budget(machine_memory()));
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   const double diagonal = to.bounds->diagonal();

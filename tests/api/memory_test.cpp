@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -103,6 +107,42 @@ TEST(Memory, bytes_of_each_format_are_those_of_a_file) {
   const std::vector<double> far{1e39, 0, 0, 1e39, 1, 0, 1e39, 0, 1};
   EXPECT_THROW((void)Mesh(far, std::vector<uint32_t>{0, 1, 2}).encode("stl"), Error);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose shadow memory needs more
+// Returns the error of opening a file in this much address space; "" if it is opened.
+std::string error_of_opening(const std::string& file, rlim_t bytes) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(limit.rlim_max, bytes);
+  ::setrlimit(RLIMIT_AS, &limit);
+  try {
+    CallOptions options;
+    options.threads = 1;
+    const World world(file, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Memory, strokes_of_a_scene_beyond_the_memory_fail_like_those_of_the_command_line) {
+  const std::string mesh = testing::TempDir() + "kerf-budget.obj",
+                    scene = testing::TempDir() + "kerf-budget.json";
+  sheet(1).write(mesh);
+  std::ofstream(scene) << R"({"bodies": [{"mesh": "kerf-budget.obj"}], "strokes": [{
+    "laser": {"radius": 0.00005, "range": [0, 2]},
+    "keys": [{"t": 0, "origin": [0.5, 1, -0.1], "direction": [0, -1, 0]},
+             {"t": 1, "origin": [0.5, 1, 1.1], "direction": [0, -1, 0]}]}]})";
+  // A process of its own, without the threads and the memory of other tests.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        std::fputs(error_of_opening(scene, 300'000'000).c_str(), stderr);
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "use a coarser resolution");
+}
+#endif
 
 TEST(Memory, warnings_of_reading_are_values) {
   const std::string text =

@@ -426,9 +426,11 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const Document& document,
 void GraphPanel::draw_pieces(const Document& document, ViewState& view) {
   const PiecesKey now{document.journal().size(), document.revision(), document.world().live_pieces(),
                       document.history().position()};
-  if (std::exchange(rows_of_, now) != now) rows_ = piece_tree(piece_origins(document));
+  const bool is_old = std::exchange(rows_of_, now) != now;
+  if (is_old) rows_ = piece_tree(piece_origins(document));
   std::erase_if(rows_,
                 [&](const PieceTreeRow& row) { return !document.world().contains(row.origin.piece.body); });
+  if (is_old) name_loaded_parts(rows_, document.world(), view.look.pieces);
   draw_piece_tree(rows_, document, view);
 }
 

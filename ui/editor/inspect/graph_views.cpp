@@ -85,15 +85,28 @@ ImU32 colour_of_piece(const World& world, const ViewState& view, const PieceId& 
       {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), 1});
 }
 
-std::string origin_words(const PieceNode& node, const Document& document, const PieceMap& looks,
+bool is_part(const World& world, const PieceId& id) {
+  if (!world.contains(id.body)) return false;
+  const Body& body = world.body(id.body);
+  return id.label < body.pieces.size() && is_loaded_part(body, id.label);
+}
+
+// Returns the name of a piece. `part`: the name that a row has for it as a loaded part.
+std::string row_name(const World& world, const PieceMap& looks, const PieceId& id, const std::string& part) {
+  return !part.empty() && is_part(world, id) ? part : name_of_piece(world, looks, id);
+}
+
+std::string origin_words(const PieceTreeRow& row, const Document& document, const PieceMap& looks,
                          FileUnit unit) {
+  const PieceNode& node = row.origin;
   const Body& body = document.world().body(node.piece.body);
   if (is_loaded_part(body, node.piece.label)) return "is a part that no cut separated";
   if (!node.came_off)
     return node.piece.label == 0 ? "is the rest of its body" : "came off in an unknown step";
   const PieceId from = *node.came_off;
-  const std::string name =
-      document.world().contains(from.body) ? name_of_piece(document.world(), looks, from) : "a deleted piece";
+  const std::string name = document.world().contains(from.body)
+                               ? row_name(document.world(), looks, from, row.parent_name)
+                               : "a deleted piece";
   const std::string did = step_words(document.history(), node.step, unit);
   return "came off " + name + " in step " + std::to_string(node.step + 1) + " (" + did + ")";
 }
@@ -132,7 +145,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   }
   list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
-  const std::string name = name_of_piece(document.world(), view.look.pieces, id);
+  const std::string name = row_name(document.world(), view.look.pieces, id, row.name);
   if (ImGui::Selectable(fitted_label(name, ImGui::GetContentRegionAvail().x).c_str(), selected,
                         ImGuiSelectableFlags_SpanAllColumns)) {
     select_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
@@ -140,7 +153,7 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   }
   mark_last_item("piece node", static_cast<int>(id.label));
   if (!selected && ImGui::IsItemHovered())
-    tooltip(words_on(row.origin, document, view.look.pieces, view.frame.unit).c_str());
+    tooltip(words_on(row, document, view.look.pieces, view.frame.unit).c_str());
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.origin.came_off ? ("step " + std::to_string(row.origin.step + 1)).c_str() : "");
   ImGui::TableNextColumn();
@@ -154,7 +167,7 @@ void draw_words(const std::vector<PieceTreeRow>& rows, const Document& document,
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [&](const PieceTreeRow& r) { return r.origin.piece == selected; });
   if (row == rows.end()) return;
-  ImGui::TextWrapped("%s", words_on(row->origin, document, view.look.pieces, view.frame.unit).c_str());
+  ImGui::TextWrapped("%s", words_on(*row, document, view.look.pieces, view.frame.unit).c_str());
   mark_last_item("piece words");
 }
 
@@ -399,13 +412,30 @@ std::optional<FaceId> face_of_text(std::string_view text) {
   return end == last && error == std::errc() ? std::optional(FaceId(number)) : std::nullopt;
 }
 
-std::string words_on(const PieceNode& node, const Document& document, const PieceMap& looks, FileUnit unit) {
-  const std::string name = name_of_piece(document.world(), looks, node.piece);
+void name_loaded_parts(std::vector<PieceTreeRow>& rows, const World& world, const PieceMap& looks) {
+  std::map<PieceId, std::string> names;
+  const auto name_of_part = [&](const PieceId& id) -> std::string {
+    if (!is_part(world, id)) return "";
+    const auto [entry, added] = names.try_emplace(id);
+    if (added) entry->second = name_of_piece(world, looks, id);
+    return entry->second;
+  };
+  for (size_t i = 0; i < std::min(rows.size(), kMaxRows); ++i) {
+    const PieceNode& origin = rows[i].origin;
+    rows[i].name = name_of_part(origin.piece);
+    if (origin.came_off) rows[i].parent_name = name_of_part(*origin.came_off);
+  }
+}
+
+std::string words_on(const PieceTreeRow& row, const Document& document, const PieceMap& looks,
+                     FileUnit unit) {
+  const PieceNode& node = row.origin;
+  const std::string name = row_name(document.world(), looks, node.piece, row.name);
   const std::string others = node.piece.label != 0 || node.beside == 0 ? ""
                              : node.beside == 1
                                  ? " One piece that came off still stands with it."
                                  : " " + grouped(node.beside) + " pieces that came off still stand with it.";
-  return name + " " + origin_words(node, document, looks, unit) + ". " + holder_words(node) + others;
+  return name + " " + origin_words(row, document, looks, unit) + ". " + holder_words(node) + others;
 }
 
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins) {

@@ -147,13 +147,20 @@ std::optional<FaceId> face_of_text(std::string_view text);
 struct PieceTreeRow {
   PieceNode origin;
   int depth = 0;  // 0 for the remainder of a body
+  // Names of the piece and of the one that it came off, if they are loaded parts; else empty.
+  std::string name = {}, parent_name = {};
 };
 
 // Builds the tree of pieces. The children of a piece are the pieces cut off it, in the order of their steps.
 std::vector<PieceTreeRow> piece_tree(const std::vector<PieceNode>& origins);
 
-// Describes a piece: its origin, its holder, and pieces still in place. Precondition: its body exists.
-std::string words_on(const PieceNode& node, const Document& document, const PieceMap& looks, FileUnit unit);
+// Names the loaded parts among the pieces of the rows that the panel lists, so that drawing does not search
+// their faces again. O(faces) per part. Precondition: the bodies of the rows exist.
+void name_loaded_parts(std::vector<PieceTreeRow>& rows, const World& world, const PieceMap& looks);
+
+// Describes a piece: its origin, its holder, and pieces still in place. O(faces) for loaded parts that
+// name_loaded_parts() has not named. Precondition: its body exists.
+std::string words_on(const PieceTreeRow& row, const Document& document, const PieceMap& looks, FileUnit unit);
 
 // Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a piece
 // and shows its description.

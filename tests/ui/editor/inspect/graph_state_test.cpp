@@ -1,9 +1,14 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/document/cut_effects.h"
+#include "core/document/scene.h"
+#include "tests/support/checkout.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/inspect/graph_views.h"
+#include "ui/editor/shared/piece_set.h"
 
 namespace kerf {
 namespace {
@@ -241,25 +246,52 @@ TEST(PieceTree, describes_origin_and_support_of_each_piece) {
   const std::vector<PieceNode> nodes = piece_origins(document);
   ASSERT_EQ(nodes.size(), 2u);
   EXPECT_EQ(
-      words_on(nodes[0], document, {}, FileUnit::kMetre),
+      words_on({nodes[0]}, document, {}, FileUnit::kMetre),
       "sheet is the rest of its body. The mesh is connected. One piece that came off still stands with it.");
   EXPECT_EQ(
-      words_on(nodes[1], document, {}, FileUnit::kMetre),
+      words_on({nodes[1]}, document, {}, FileUnit::kMetre),
       "sheet 1 came off sheet in step 1 (Cut 1: sheet, radius 30 mm). Nothing holds it: it stays until it is "
       "moved or time passes.");
   PieceMap numbered;
   numbered[nodes[1].piece].number = 4;
-  EXPECT_TRUE(words_on(nodes[1], document, numbered, FileUnit::kMetre).starts_with("sheet 4 came off"));
+  EXPECT_TRUE(words_on({nodes[1]}, document, numbered, FileUnit::kMetre).starts_with("sheet 4 came off"));
   PieceNode other = nodes[0];
   other.parts = 5;
   other.beside = 0;
   other.held_by = Holder::kBody;
-  EXPECT_EQ(words_on(other, document, {}, FileUnit::kMetre),
+  EXPECT_EQ(words_on({other}, document, {}, FileUnit::kMetre),
             "sheet is the rest of its body. Its 5 parts were never connected; they move together because "
             "they are one body.");
   other.held_by = Holder::kPin;
-  EXPECT_EQ(words_on(other, document, {}, FileUnit::kMetre),
+  EXPECT_EQ(words_on({other}, document, {}, FileUnit::kMetre),
             "sheet is the rest of its body. Its 5 parts are one body, which is pinned.");
+}
+
+TEST(PieceTree, keeps_the_names_of_loaded_parts_in_its_rows) {
+  auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  Document document(std::move(scene->world));
+  CutSettings settings;
+  settings.laser.radius = 0.01;
+  settings.laser.range = {0, 10};
+  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(MoveBeam{{{2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(Play{});
+  document.apply(AdvanceTime{1, true});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  std::vector<PieceTreeRow> rows = piece_tree(piece_origins(document));
+  name_loaded_parts(rows, document.world(), {});
+  std::set<std::string> names;
+  for (PieceTreeRow& row : rows) {
+    if (row.name.empty()) continue;
+    names.insert(row.name);
+    EXPECT_EQ(row.name, name_of_piece(document.world(), {}, row.origin.piece));
+    row.name = "kept";
+    EXPECT_TRUE(words_on(row, document, {}, FileUnit::kMetre).starts_with("kept is a part"))
+        << "not searched again";
+  }
+  EXPECT_EQ(names, std::set<std::string>({"wheel_front_left", "wheel_front_right", "wheel_rear_left",
+                                          "wheel_rear_right", "steering_wheel"}));
 }
 
 TEST(GraphState, finds_a_face_by_a_whole_number_only) {

@@ -37,6 +37,7 @@ bool has_images(const SurfaceLibrary& library, uint16_t number) {
 void add_kinds_of_looks(const Looks& looks, MeshFormat format, std::vector<LostKind>& kinds) {
   const MeshFormatRow& row = format_row(format);
   const auto add_uvs = [&](const char* name, size_t first) {
+    if (looks.uv_sets() <= first) return;
     kinds.push_back({name, [&looks, first](FaceId source, uint16_t) {
                        for (size_t set = first; set < looks.uv_sets(); ++set) {
                          if (looks.has_uvs(set, source)) return true;
@@ -46,11 +47,12 @@ void add_kinds_of_looks(const Looks& looks, MeshFormat format, std::vector<LostK
   };
   if (!row.uvs_and_normals) {
     add_uvs("UVs", 0);
-    kinds.push_back({"normals", [&looks](FaceId source, uint16_t) { return looks.has_normal(source); }});
+    if (looks.has_normals())
+      kinds.push_back({"normals", [&looks](FaceId source, uint16_t) { return looks.has_normal(source); }});
   } else if (!is_gltf(format)) {
     add_uvs("second UVs", 1);
   }
-  if (!is_gltf(format))
+  if (looks.has_tangents() && !is_gltf(format))
     kinds.push_back({"tangents", [&looks](FaceId source, uint16_t) { return looks.has_tangent(source); }});
   for (size_t i = 0; i < looks.attributes() && !row.attributes; ++i) {
     kinds.push_back({"attribute " + in_quotes(looks.attribute_name(i)),
@@ -65,14 +67,15 @@ void add_kinds_of_materials(const Body& body, const Extract& extract, MeshFormat
     const auto& names = body.material_names;
     return material < names.size() && !names[material].empty() && names[material] != body.cut_material;
   };
-  if (!row.materials) kinds.push_back({"materials", is_named});
+  if (!row.materials && !body.material_names.empty()) kinds.push_back({"materials", is_named});
   if (body.looks && body.looks->surfaces() && !row.textures) {
     const SurfaceLibrary& library = *body.looks->surfaces();
     std::set<uint16_t> textured = materials_of(extract);
     std::erase_if(textured,
                   [&](uint16_t m) { return m >= library.materials.size() || !has_images(library, m); });
-    kinds.push_back(
-        {"textures", [textured](FaceId, uint16_t material) { return textured.contains(material); }});
+    if (!textured.empty())
+      kinds.push_back(
+          {"textures", [textured](FaceId, uint16_t material) { return textured.contains(material); }});
   }
   if (extract.colours.empty()) return;
   if (format == MeshFormat::kStl) kinds.push_back({"vertex colours", [](FaceId, uint16_t) { return true; }});

@@ -94,7 +94,7 @@ bool is_gltf_image(const SurfaceImage& image) {
   return image.mime_type == "image/png" || image.mime_type == "image/jpeg";
 }
 
-// A material that the file only names is no metal, which is the default of glTF.
+// Returns a material that the file only names. It is not metallic, unlike the default of glTF.
 SurfaceJson undescribed_material() { return {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}}; }
 
 // Collects the materials of one glTF file.
@@ -286,10 +286,10 @@ class GltfCollection {
   std::set<std::string> extensions_, required_;
 };
 
-// Returns a number of a texture of glTF, or of its transform; 0 if there is none.
-double texture_number(const SurfaceJson& texture, const char* key) {
-  if (!texture.is_object() || !texture.contains(key) || !texture[key].is_number()) return 0;
-  return texture[key].get<double>();
+// Returns a number of an object of glTF; 0 if there is none.
+double json_number(const SurfaceJson& of, const char* key) {
+  if (!of.is_object() || !of.contains(key) || !of[key].is_number()) return 0;
+  return of[key].get<double>();
 }
 
 // Reads members of a material in glTF.
@@ -310,7 +310,7 @@ class GltfMembers {
   // Returns the image of a texture that uses the first UVs.
   std::optional<uint32_t> image(const SurfaceJson& of, const char* key) const {
     if (!of.is_object() || !of.contains(key) || !of[key].is_object()) return std::nullopt;
-    if (texture_number(of[key], "texCoord") != 0) return std::nullopt;
+    if (json_number(of[key], "texCoord") != 0) return std::nullopt;
     const auto index = whole(of[key], "index");
     if (!index || *index >= library_.textures.size()) return std::nullopt;
     const auto texture = SurfaceJson::parse(library_.textures[*index], nullptr, false);
@@ -435,11 +435,11 @@ namespace {
 void add_lost_of_texture(const std::string& key, const SurfaceJson& texture, std::set<std::string>& lost) {
   const char* const kTransform = "KHR_texture_transform";
   if (!texture.is_object()) return;
-  if (texture_number(texture, "texCoord") != 0) {
+  if (json_number(texture, "texCoord") != 0) {
     lost.insert(key + " texCoord");
   } else if (texture.contains("extensions") && texture["extensions"].is_object() &&
              texture["extensions"].contains(kTransform) &&
-             texture_number(texture["extensions"][kTransform], "rotation") != 0) {
+             json_number(texture["extensions"][kTransform], "rotation") != 0) {
     lost.insert(kTransform);
   }
 }
@@ -514,8 +514,11 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
     }
   };
   add(json, {"name", "pbrMetallicRoughness", "alphaMode", "extras"});
-  if (json.is_object() && json.contains("pbrMetallicRoughness"))
-    add(json["pbrMetallicRoughness"], {"baseColorFactor"});
+  if (json.is_object() && json.contains("pbrMetallicRoughness")) {
+    const SurfaceJson& pbr = json["pbrMetallicRoughness"];
+    add(pbr, {"baseColorFactor", "metallicFactor"});
+    if (json_number(pbr, "metallicFactor") != 0) lost.insert("metallicFactor");  // 3MF has no metals
+  }
   return {lost.begin(), lost.end()};
 }
 

@@ -39,15 +39,16 @@ struct GltfSurfaces {
 };
 
 // Returns materials with their names: those of glTF verbatim, with indices of textures renumbered, those of
-// MTL converted, and those without a description as no metals. Files leave out images without bytes, and of
-// MTL those other than PNG and JPEG.
+// MTL converted, and those without a description as not metallic. Files leave out images without bytes, and
+// of MTL those other than PNG and JPEG.
 enum class MissingImages : uint8_t { kLeaveOut, kKeep };
 GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
                            MissingImages missing = MissingImages::kLeaveOut);
 
 // Return the members, statements and options of maps of a material that these functions do not convert,
 // ascending: "occlusionTexture", "Ks", "map_Ns", "map_Kd -clamp". Empty if the material is already in MTL, or
-// in glTF. 3MF holds the base colour and the opacity only; images are no part of its list.
+// in glTF. 3MF holds the base colour and the opacity of materials that are not metallic; images are no part
+// of its list.
 std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);

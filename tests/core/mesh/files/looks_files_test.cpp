@@ -486,6 +486,9 @@ TEST(GltfSurfaces, without_a_description_are_no_metals) {
     SurfaceMaterial back;
     back.gltf = material.dump();
     EXPECT_EQ(text_with("Pm", mtl_lines({}, back)), "Pm 0");
+    EXPECT_EQ(lost_in_3mf(back), std::vector<std::string>{});
+    back.gltf = R"({"pbrMetallicRoughness": {"metallicFactor": 0.5}})";
+    EXPECT_EQ(lost_in_3mf(back), std::vector<std::string>{"metallicFactor"});
   }
 }
 

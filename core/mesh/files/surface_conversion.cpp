@@ -48,6 +48,12 @@ class MtlStatements {
   const MtlLine* base_map() const { return map({"map_Kd"}); }
   const MtlLine* normal_map() const { return map({"norm", "map_Bump", "bump"}); }
   const MtlLine* emission_map() const { return map({"map_Ke"}); }
+  // Returns the one of these that has the kind of a line; null if there is none.
+  const MtlLine* map_like(const MtlLine& line) const {
+    if (is_of(line, "map_Kd")) return base_map();
+    if (is_of(line, "map_Ke")) return emission_map();
+    return is_of(line, "norm") || is_of(line, "map_Bump") || is_of(line, "bump") ? normal_map() : nullptr;
+  }
 
  private:
   const MtlLine* map(std::initializer_list<std::string_view> keywords) const {
@@ -489,6 +495,11 @@ void add_lost_statements(const SurfaceMaterial& material, std::span<const std::s
   }
 }
 
+// Returns true if two lines have the same image with the same options, as in files for several readers.
+bool are_equal_maps(const MtlLine& a, const MtlLine& b) {
+  return a.image == b.image && a.text.substr(mtl_keyword(a).size()) == b.text.substr(mtl_keyword(b).size());
+}
+
 // Adds the options of a map in MTL that glTF cannot express.
 void add_lost_options(const MtlLine& map, bool is_normal_map, std::set<std::string>& lost) {
   std::istringstream words(map.text);
@@ -528,13 +539,13 @@ std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const Surfa
   constexpr std::array<std::string_view, 8> kKept{"kd", "d", "tr", "ns", "pr", "pm", "ke", "illum"};
   add_lost_statements(material, kKept, lost);
   const MtlStatements mtl(material);
-  const std::array maps{mtl.base_map(), mtl.normal_map(), mtl.emission_map()};
   for (const MtlLine& line : material.mtl) {
     if (!line.image) continue;
     const SurfaceImage& image = library.images[*line.image];
-    if (std::ranges::find(maps, &line) == maps.end() || (!image.bytes.empty() && !is_gltf_image(image))) {
+    const MtlLine* const kept = mtl.map_like(line);
+    if (!kept || !are_equal_maps(line, *kept) || (!image.bytes.empty() && !is_gltf_image(image))) {
       lost.insert(mtl_keyword(line));
-    } else if (!image.bytes.empty()) {
+    } else if (kept == &line && !image.bytes.empty()) {
       add_lost_options(line, &line == mtl.normal_map(), lost);
     }
   }

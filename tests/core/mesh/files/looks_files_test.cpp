@@ -496,8 +496,10 @@ TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};
   SurfaceMaterial& material = library.materials.emplace_back();
-  material.mtl = {
-      {"map_Kd -S 2 -2 -o -0.5 -Clamp on -bm 2 ", 0u}, {"map_Bump ", 0u}, {"norm -bm -1 -imfchan l ", 0u}};
+  material.mtl = {{"map_Kd -S 2 -2 -o -0.5 -Clamp on -bm 2 ", 0u},
+                  {"map_Bump ", 0u},
+                  {"norm -bm -1 -imfchan l ", 0u},
+                  {"bump -bm -1 -imfchan l ", 0u}};
   EXPECT_EQ(lost_in_gltf(library, material),
             (std::vector<std::string>{"map_Bump", "map_Kd -bm", "map_Kd -clamp", "norm -imfchan"}));
 }

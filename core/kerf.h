@@ -373,7 +373,7 @@ class World {
     world_.reset(world);
   }
   // Creates a world from a file. path: a scene (.json), a journal (.kerf), whose commands are replayed, or a
-  // mesh. Throws InvalidArgument for an invalid file. Cost: loading the meshes and replaying the cuts.
+  // mesh. Throws InvalidArgument for an invalid file; Error. Cost: loading the meshes and replaying the cuts.
   explicit World(const std::string& path, const CallOptions& options = {}) {
     kerf_world* world = nullptr;
     Run(options).call([&](const kerf_call_options* c) { return kerf_world_open(path.c_str(), c, &world); });
@@ -506,8 +506,8 @@ class World {
 
   // Cuts all visible bodies, or those of the settings, with strokes, in order, all or nothing; see
   // kerf_world_cut. Throws InvalidArgument for an invalid stroke or setting, without a mesh, or for a solid
-  // if the rim is not smooth or the model thermal; Error if a body would exceed the maximum number of faces;
-  // Cancelled; Busy. About 1 us per created or removed face.
+  // if the rim is not smooth or the model is thermal; Error if a body would exceed the maximum number of
+  // faces; Cancelled; Busy. About 1 us per created or removed face.
   CutResult cut(std::span<const Stroke> strokes, const CutSettings& settings = {},
                 const CallOptions& options = {}) {
     std::vector<kerf_stroke> c_strokes;

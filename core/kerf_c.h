@@ -281,7 +281,7 @@ typedef struct kerf_cut_result {
  * settings, options: may be null.
  * result: receives the results; may be null.
  * Errors: KERF_INVALID_ARGUMENT for an invalid stroke or setting, if the world has no mesh, or if one of the
- * bodies is solid and the rim is not smooth or the model thermal; KERF_FAILED if a body would exceed the
+ * bodies is solid and the rim is not smooth or the model is thermal; KERF_FAILED if a body would exceed the
  * maximum number of faces, or the world the memory; KERF_CANCELLED. About 1 us per created or removed face.
  */
 KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* strokes, size_t stroke_count,

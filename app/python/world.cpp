@@ -223,7 +223,8 @@ WorldClass add_world(py::module_& m) {
           py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
           "Opens a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh.\n\n"
           "progress: as in cut.\n\n"
-          "Raises FileNotFoundError for a missing file, ValueError for a wrong one, and Cancelled.")
+          "Raises FileNotFoundError for a missing file, ValueError for a wrong one, Cancelled, and Error if "
+          "the strokes of a scene would make more faces than the memory holds.")
       .def_property_readonly(
           "pieces",
           [](const World& of) {

@@ -166,7 +166,7 @@ Status check_usable(const CutSettings& s, size_t number, double diagonal) {
   return Done{};
 }
 
-// Fails if the settings leave a solid open that they cut.
+// Fails if a solid that would be cut with these settings would stay open.
 Status check_walls(const World& world, const CutSettings& settings) {
   const WallNeed need = settings.unmet_wall_need();
   if (need == WallNeed::kNone) return Done{};
@@ -174,7 +174,7 @@ Status check_walls(const World& world, const CutSettings& settings) {
     if (!world.body(id).solid) continue;
     const std::string where = need == WallNeed::kGeometricModel ? "model" : "rim";
     return bad_input(where + ": the body \"" + world.body(id).own_name() + "\" is solid, and its " +
-                     label(need) + "; use that, or make the body a sheet");
+                     label(need) + "; set that, or make the body a sheet");
   }
   return Done{};
 }

@@ -137,10 +137,10 @@ TEST(Bodies, a_solid_is_not_cut_open_by_settings_without_walls) {
   for (const bool in_steps : {false, true}) {
     EXPECT_EQ(
         refusal({}, in_steps),
-        "rim: the body \"crate\" is solid, and its walls need a smooth rim; use that, or make the body a "
+        "rim: the body \"crate\" is solid, and its walls need a smooth rim; set that, or make the body a "
         "sheet");
     EXPECT_EQ(refusal({.model = KERF_MODEL_THERMAL, .bodies = {solid}}, in_steps),
-              "model: the body \"crate\" is solid, and its walls need the geometric model; use that, or make "
+              "model: the body \"crate\" is solid, and its walls need the geometric model; set that, or make "
               "the body a sheet");
     EXPECT_EQ(world.hash(), before);
   }

@@ -225,7 +225,7 @@ void add_mesh(py::module_& m) {
           "Volume of a closed piece, m^3; 0 for an open one and any other mesh.")
       .def_property_readonly(
           "is_closed", [](const kerf::Mesh& mesh) { return mesh.info().is_closed != 0; },
-          "True for a piece of a world that uses each edge equally often in both directions.")
+          "True if the mesh is a piece of a world and uses each edge equally often in both directions.")
       .def_property_readonly("euler_number", &kerf::Mesh::euler_number,
                              "Vertices - edges + faces, over welded vertices if the mesh is a piece or was "
                              "read from a file.")

@@ -249,6 +249,8 @@ class Module(unittest.TestCase):
         self.assertTrue(piece.is_closed)
         self.assertEqual(piece.euler_number, 2)
         self.assertAlmostEqual(piece.mass, 1000 * piece.volume)
+        with self.assertRaisesRegex(ValueError, '^rim: the body "plate" is solid'):
+            self.world.cut(slot(self.mesh))
         self.world.set_fixed(body, 0, False)
         self.world.rename(body, 0, 'ball 2')
         self.world.set_hidden(body, 0, True)
@@ -524,7 +526,7 @@ class Module(unittest.TestCase):
     def test_the_docstring_and_the_type_hint_of_is_closed_state_the_rule_of_the_library(self):
         with open(os.path.splitext(kerf.__file__)[0] + '.pyi', encoding='utf-8') as text:
             hints = text.read()
-        rule = 'a piece of a world that uses each edge equally often in both directions'
+        rule = 'a piece of a world and uses each edge equally often in both directions'
         self.assertIn(rule, kerf.Mesh.is_closed.__doc__)
         self.assertIn(rule, hints)
 

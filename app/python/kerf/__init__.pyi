@@ -99,7 +99,7 @@ class Mesh:
         """Volume of a closed piece, m^3; 0 for an open one and any other mesh."""
     @property
     def is_closed(self) -> bool:
-        """True for a piece of a world that uses each edge equally often in both directions."""
+        """True if the mesh is a piece of a world and uses each edge equally often in both directions."""
     @property
     def euler_number(self) -> int:
         """Vertices - edges + faces."""

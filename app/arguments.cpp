@@ -121,7 +121,7 @@ Result<PictureOptions> PictureArguments::parse() const {
     if (const Status s = unpack(parse_point("--target", target), options.target); !s) return s.error();
   }
   if (options.eye && options.eye == options.target)
-    return bad_input("--eye: equals --target; give another point");
+    return bad_input("--eye and --target: must differ");
   if (const Status s = unpack(parse_show_list(show), options.show); !s)
     return bad_input("--show: " + s.error().message);
   if (!section.empty()) {

@@ -355,7 +355,7 @@ class CommandLine(unittest.TestCase):
                            (["cut", "plate.obj", "--out", "o", "--path", "missing.json"], "missing.json"),
                            (["render", "plate.obj", "--out", "p.png", "--size", "0x5"], "--size"),
                            (["render", "plate.obj", "--out", "p.png", "--eye", "1,2"], "--eye"),
-                           (["render", "plate.obj", "--out", "p.png", "--eye", "1,2,3", "--target", "1,2,3.0"], "--eye: equals --target"),
+                           (["render", "plate.obj", "--out", "p.png", "--eye", "1,2,3", "--target", "1,2,3.0"], "--eye and --target: must differ"),
                            (["render", "plate.obj", "--out", "p.png", "--eye", "0,0,0"], "the centre of its view"),
                            (["render", "plate.obj", "--out", "p.png", "--show", "hot"], "kerf: --show: 'hot' is not an overlay"),
                            (["--report"], "report")):

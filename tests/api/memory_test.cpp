@@ -130,14 +130,14 @@ TEST(Memory, strokes_of_a_scene_beyond_the_memory_fail_like_those_of_the_command
                     scene = testing::TempDir() + "kerf-budget.json";
   sheet(1).write(mesh);
   std::ofstream(scene) << R"({"bodies": [{"mesh": "kerf-budget.obj"}], "strokes": [{
-    "laser": {"radius": 0.00005, "range": [0, 2]},
+    "laser": {"radius": 0.00003, "range": [0, 2]},
     "keys": [{"t": 0, "origin": [0.5, 1, -0.1], "direction": [0, -1, 0]},
              {"t": 1, "origin": [0.5, 1, 1.1], "direction": [0, -1, 0]}]}]})";
   // A process of its own, without the threads and the memory of other tests.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
       {
-        std::fputs(error_of_opening(scene, 300'000'000).c_str(), stderr);
+        std::fputs(error_of_opening(scene, 400'000'000).c_str(), stderr);
         std::exit(0);
       },
       testing::ExitedWithCode(0), "use a coarser resolution");

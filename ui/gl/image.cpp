@@ -118,15 +118,14 @@ std::optional<size_t> frame_named(const std::string& name) {
 
 Status remove_later_frames(const std::filesystem::path& folder, size_t count) {
   std::error_code error;
-  const std::filesystem::directory_iterator entries(folder, error);
-  if (error) return failed("cannot list " + folder.string() + ": " + error.message());
-  for (const auto& entry : entries) {
-    const auto frame = frame_named(entry.path().filename().string());
-    if (!frame || *frame < count || entry.is_directory(error)) continue;
-    std::filesystem::remove(entry.path(), error);
-    if (error) return failed("cannot remove " + entry.path().string() + ": " + error.message());
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::filesystem::path& file = at->path();
+    const auto frame = frame_named(file.filename().string());
+    if (!frame || *frame < count || at->is_directory(error)) continue;
+    std::filesystem::remove(file, error);
+    if (error) return failed("cannot remove " + file.string() + ": " + error.message());
   }
-  return Done{};
+  return error ? Status(failed("cannot list " + folder.string() + ": " + error.message())) : Done{};
 }
 
 Status write_png(const Pixels& pixels, const std::filesystem::path& file) {

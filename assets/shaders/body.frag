@@ -32,6 +32,7 @@ struct Surface {
   vec4 base, emission, traits, layers;
 };
 layout(std140) uniform Surfaces { Surface surfaces[256]; };
+const float kLayerBase = 512.0;  // of two layers in one number; as in surface_textures.cpp
 
 // What the material and its maps are at this place.
 vec4 coat = vec4(0.0);  // colour, gloss
@@ -208,9 +209,9 @@ vec3 read_surface(vec3 n) {
   coat = paint;
   if (surface < 0 || surfaces[surface].emission.w == 0.0) return n;
   Surface s = surfaces[surface];
-  vec2 first = mod(s.layers.xy, 256.0), second = floor(s.layers.xy / 256.0);
-  float emission = mod(s.layers.z, 256.0);
-  is_double_sided = s.layers.z > 255.5;
+  vec2 first = mod(s.layers.xy, kLayerBase), second = floor(s.layers.xy / kLayerBase);
+  float emission = mod(s.layers.z, kLayerBase);
+  is_double_sided = s.layers.z > kLayerBase - 0.5;
   vec4 base = s.base * colour_map(first.x);
   vec4 rough = number_map(first.y, vec4(1.0));
   vec4 normals = number_map(second.x, vec4(0.5, 0.5, 1.0, 1.0));

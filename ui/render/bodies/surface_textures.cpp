@@ -18,6 +18,7 @@ namespace {
 
 constexpr size_t kMaterials = 256;  // as in body.frag
 constexpr size_t kMaxLayers = 256;  // that every OpenGL 3.3 supports
+constexpr float kLayerBase = 512;   // as in body.frag, > kMaxLayers
 constexpr int kMaxSide = 2048;      // of a layer
 constexpr int kColoursUnit = 4, kNumbersUnit = 5;
 
@@ -26,8 +27,8 @@ struct SurfaceEntry {
   glm::vec4 base{1};
   glm::vec4 emission{0};  // w: 1 if the material is described
   glm::vec4 traits{0};    // metallic, roughness, scale of normals, strength of occlusion
-  // Layers plus one, or 0: base + 256 normal; metallic-roughness + 256 occlusion; emission + 256
-  // double-sided. Opacity below which a fragment is discarded; -1: none, -2: blended.
+  // Layers plus one, or 0, with b = kLayerBase: base + b normal; metallic-roughness + b occlusion; emission +
+  // b if double-sided. Opacity below which a fragment is discarded; -1: none, -2: blended.
   glm::vec4 layers{0};
 };
 
@@ -118,9 +119,9 @@ void SurfaceTextures::fill_block() {
     entry.emission = glm::vec4(glm::vec3(look.emission), 1);
     entry.traits =
         glm::vec4(glm::dvec4(look.metallic, look.roughness, look.normal_scale, look.occlusion_strength));
-    entry.layers = {layer(SurfaceMap::kBase) + 256 * layer(SurfaceMap::kNormal),
-                    layer(SurfaceMap::kMetallicRoughness) + 256 * layer(SurfaceMap::kOcclusion),
-                    layer(SurfaceMap::kEmission) + (look.double_sided ? 256.0f : 0.0f),
+    entry.layers = {layer(SurfaceMap::kBase) + kLayerBase * layer(SurfaceMap::kNormal),
+                    layer(SurfaceMap::kMetallicRoughness) + kLayerBase * layer(SurfaceMap::kOcclusion),
+                    layer(SurfaceMap::kEmission) + (look.double_sided ? kLayerBase : 0.0f),
                     look.alpha == SurfaceLook::Alpha::kMask    ? static_cast<float>(look.cutoff)
                     : look.alpha == SurfaceLook::Alpha::kBlend ? -2.0f
                                                                : -1.0f};

@@ -32,21 +32,48 @@ std::string four_colours(const TemporaryFolder& folder) {
   return *read_text_file(file);
 }
 
-// A square in y = 0 that the image covers, the top of the image at z = -1.
-World painted_square(const std::string& image, const std::string& material) {
+// A square in y = 0 that an image covers, the top of the image at z = -1.
+Soup square() {
   auto soup = read_obj(
       "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl skin\n"
       "f 1/1 2/2 3/3 4/4\n",
       "square.obj");
   EXPECT_TRUE(soup.ok());
+  return std::move(*soup);
+}
+
+World painted_square(const std::string& image, const std::string& material) {
+  Soup soup = square();
   auto library = std::make_shared<SurfaceLibrary>();
   library->materials.resize(2);
   library->materials[0].gltf = library->materials[1].gltf = material;
   library->images.push_back({"image.png", "", "image/png", image});
   library->textures.emplace_back(R"({"source": 0})");
-  soup->surfaces = library;
+  soup.surfaces = library;
   World world;
-  world.add(make_body("square", build(*soup)));
+  world.add(make_body("square", build(soup)));
+  return world;
+}
+
+// The square with the last of some materials, each of which has an image of its own; all but the last image
+// are missing.
+World square_with_the_last_of(uint16_t materials, const std::string& image) {
+  Soup soup = square();
+  soup.materials.assign(soup.triangles.size(), static_cast<uint16_t>(materials - 1));
+  soup.material_names.clear();
+  auto library = std::make_shared<SurfaceLibrary>();
+  library->materials.resize(materials);
+  for (uint16_t m = 0; m < materials; ++m) {
+    const std::string number = std::to_string(m);
+    soup.material_names.push_back(number);
+    library->materials[m].gltf =
+        R"({"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": )" + number + "}}}";
+    library->textures.emplace_back(R"({"source": )" + number + "}");
+    library->images.push_back({number + ".png", "", "image/png", m + 1 == materials ? image : ""});
+  }
+  soup.surfaces = library;
+  World world;
+  world.add(make_body("square", build(soup)));
   return world;
 }
 
@@ -91,6 +118,12 @@ TEST(SurfaceTextures, map_the_image_by_uvs_even_after_a_cut) {
   expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
   stage.cut({{-2, 1, 0.1}, {0, -1, 0}}, {{2, 1, 0.2}, {0, -1, 0}}, 0.05);
   EXPECT_GT(stage.world().live_faces(), 20u);
+  expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
+}
+
+TEST(SurfaceTextures, show_the_last_of_256_images) {
+  const TemporaryFolder folder;
+  Stage stage(square_with_the_last_of(256, four_colours(folder)));
   expect_four_colours(stage.draw(from_above(), plain_options(), kSize, kSize));
 }
 

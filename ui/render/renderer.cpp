@@ -261,8 +261,7 @@ void Renderer::draw_overlays(const Subject& subject, const CameraView& view,
   passes_.section.draw(subject, picture.shape().height);
   if (options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kRed);
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& p) {
-    if (!body.hidden)
-      passes_.lines.draw(id, body, p.faces().frame(), space_, frame_.clip_from_frame, options);
+    if (!body.hidden) passes_.lines.draw(id, body, p, space_, frame_.clip_from_frame, options);
   });
   draw_beams(view, options, beam);
   if (options.ghost && !options.show.face_numbers) passes_.veil.draw(subject, VeilPass::Style::kVeil);

@@ -119,15 +119,19 @@ TEST(Renderer, a_hidden_piece_and_its_shadow_disappear_and_return) {
 TEST(Renderer, a_hidden_body_and_its_shadow_are_not_drawn_whatever_the_options) {
   test::Stage stage = test::ball_and_ring();
   const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
-  const Pixels plain = stage.draw(view, {}, kRenderWidth, kRenderHeight);
   const PieceId ring{stage.world().ids().back(), 0};
-  ViewOptions options;
-  options.pieces[ring].hidden = true;
-  const Pixels hidden = stage.draw(view, options, kRenderWidth, kRenderHeight);
-  stage.apply(HidePiece{ring, true});
-  EXPECT_EQ(stage.draw(view, {}, kRenderWidth, kRenderHeight).rgb, hidden.rgb);
-  stage.apply(HidePiece{ring, false});
-  EXPECT_EQ(stage.draw(view, {}, kRenderWidth, kRenderHeight).rgb, plain.rgb);
+  for (const bool normals : {false, true}) {
+    ViewOptions options;
+    options.show.normals = normals;
+    ViewOptions without = options;
+    without.pieces[ring].hidden = true;
+    const Pixels plain = stage.draw(view, options, kRenderWidth, kRenderHeight);
+    const Pixels hidden = stage.draw(view, without, kRenderWidth, kRenderHeight);
+    stage.apply(HidePiece{ring, true});
+    EXPECT_EQ(stage.draw(view, options, kRenderWidth, kRenderHeight).rgb, hidden.rgb);
+    stage.apply(HidePiece{ring, false});
+    EXPECT_EQ(stage.draw(view, options, kRenderWidth, kRenderHeight).rgb, plain.rgb);
+  }
 }
 
 TEST(Renderer, lamps_keep_their_brightness_while_debris_flies_away) {

@@ -49,5 +49,24 @@ TEST(TurnedPieces, look_as_if_placed_at_their_display_transform) {
   }
 }
 
+TEST(TurnedPieces, have_the_normals_of_their_faces) {
+  const CameraView view = test::view_of_ball_and_ring(double{kTurnedWidth} / kTurnedHeight);
+  test::Stage stage = test::ball_and_ring();
+  const PieceId ring{stage.world().ids().back(), 0};
+  const glm::dquat turn = glm::angleAxis(0.7, glm::normalize(Vec3(1, 2, -1)));
+  const Vec3 offset(-0.2, 0.9, 0.1);
+  ViewOptions options = plainly_under(Light{});
+  options.show.normals = true;
+  const Pixels before = stage.draw(view, options, kTurnedWidth, kTurnedHeight);
+  ViewOptions displaced = options;
+  displaced.pieces[ring].turn = turn;
+  displaced.pieces[ring].offset = offset;
+  const Pixels shown = stage.draw(view, displaced, kTurnedWidth, kTurnedHeight);
+  stage.apply(MovePiece{ring, {turn * stage.world().body(ring.body).placement.position + offset, turn}});
+  const Pixels stands = stage.draw(view, options, kTurnedWidth, kTurnedHeight);
+  EXPECT_LT(test::difference(shown, stands).changed, 0.003);
+  EXPECT_GT(test::difference(shown, before).changed, 0.003);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -326,16 +326,18 @@ void FaceNumbers::draw_labels(const std::vector<FaceLabel>& labels, int zoom) {
 
 LineOverlay::LineOverlay(Shaders& shaders)
     : box_(shaders.load({{"frame.glsl", "line.glsl", "box.vert"}, {"box.frag"}})),
-      stick_(shaders.load({{"frame.glsl", "line.glsl", "stick.vert"}, {"box.frag"}})) {}
+      stick_(shaders.load(
+          {{"frame.glsl", "placed.glsl", "line.glsl", "stick.vert"}, {"box.frag"}, {"PLACED"}})) {}
 
 void LineOverlay::gather(Gathered& lines, const Body& body, const FloatFrame& frame,
-                         const ViewOptions& options) const {
+                         const ViewOptions& options, std::shared_ptr<const PieceGroups> groups) const {
   TreeOverlay tree = options.tree;
   tree.hit_only = tree.hit_only || !options.show.aabb;
   if (options.show.aabb || options.show.aabb_hit) lines.all_boxes = gather_boxes(body, frame, tree);
-  if (options.show.normals) lines.sticks.send(gather_normals(body, frame), GL_DYNAMIC_DRAW);
+  if (options.show.normals) lines.sticks.send(gather_normals(body, frame, groups.get()), GL_DYNAMIC_DRAW);
   lines.shown = options.show;
   lines.tree = options.tree;
+  lines.groups = std::move(groups);
 }
 
 std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFrame& frame,
@@ -353,7 +355,8 @@ std::vector<BoxLine> LineOverlay::gather_boxes(const Body& body, const FloatFram
   return boxes;
 }
 
-std::vector<LineOverlay::Stick> LineOverlay::gather_normals(const Body& body, const FloatFrame& frame) const {
+std::vector<LineOverlay::Stick> LineOverlay::gather_normals(const Body& body, const FloatFrame& frame,
+                                                            const PieceGroups* groups) const {
   std::vector<Stick> sticks;
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     if (!body.mesh.is_live(FaceId(f))) continue;
@@ -364,7 +367,9 @@ std::vector<LineOverlay::Stick> LineOverlay::gather_normals(const Body& body, co
     if (!(twice_area > 0)) continue;
     const glm::dvec3 middle = (a + b + c) / 3.0;
     const double length = std::min(0.6 * std::sqrt(twice_area), 0.03);
-    sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area))});
+    const uint32_t group = groups ? groups->of(body.mesh, FaceId(f)) : body.mesh.data(FaceId(f)).piece;
+    sticks.push_back({glm::vec3(middle), glm::vec3(middle + normal * (length / twice_area)),
+                      static_cast<float>(packed_piece(group))});
   }
   return sticks;
 }
@@ -388,14 +393,17 @@ void LineOverlay::draw_boxes(Gathered& lines, const glm::mat4& from_body, const 
   draw_twice(box_, from_body, kVerticesOfBox, lines.path.count(), srgb(colours.path, 1), options.mark_scale);
 }
 
-void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+void LineOverlay::draw(BodyId id, const Body& body, const BodyPicture& picture, const FrameSpace& space,
                        const glm::mat4& clip_from_frame, const ViewOptions& options) {
   const ShowOptions& show = options.show;
   const bool boxes = (show.aabb || show.aabb_hit) && options.tree.body.value_or(id) == id;
   if (!boxes && !show.normals) return;
+  const FloatFrame& frame = picture.faces().frame();
+  const std::shared_ptr<const PieceGroups> groups = BodyLooks(id, body, options).groups();
   const auto [found, fresh] = gathered_.try_emplace(id);
   Gathered& lines = found->second;
-  if (fresh || !(lines.shown == show && lines.tree == options.tree)) gather(lines, body, frame, options);
+  if (fresh || !(lines.shown == show && lines.tree == options.tree && lines.groups == groups))
+    gather(lines, body, frame, options, groups);
   const glm::mat4 from_body = space.from_body(body.placement, frame);
   const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
   if (boxes) {
@@ -410,6 +418,8 @@ void LineOverlay::draw(BodyId id, const Body& body, const FloatFrame& frame, con
   }
   if (show.normals) {
     const SectionClip clip(options);
+    stick_.use();
+    picture.looks().bind(stick_);
     lines.sticks.bind();
     draw_twice(stick_, from_body, kVerticesOfLine, lines.sticks.count(), srgb(0x4aa3ff, 0.9f),
                options.mark_scale);

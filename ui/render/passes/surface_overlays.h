@@ -74,37 +74,44 @@ class FaceNumbers {
   gl::Stream<Glyph> glyphs_{gl::ItemsAre::kInstances, {{2, 0}, {2, sizeof(glm::vec2)}}};
 };
 
-// Draws the AABB tree's boxes and the normals of faces as thin coloured lines with a dark outline. Rebuilds
-// the lines of a body when it has changed and is shown, in time linear in its size.
+// Draws the AABB tree's boxes and the normals of faces as thin coloured lines with a dark outline. Normals
+// are displaced, turned and hidden with their pieces, boxes are not. Rebuilds the lines of a body when it has
+// changed and is shown, in time linear in its size.
 class LineOverlay {
  public:
   explicit LineOverlay(Shaders& shaders);
 
   void forget() { gathered_.clear(); }
   void forget(BodyId id) { gathered_.erase(id); }
-  void draw(BodyId id, const Body& body, const FloatFrame& frame, const FrameSpace& space,
+  // Precondition: the looks of `picture` are up to date with the options.
+  void draw(BodyId id, const Body& body, const BodyPicture& picture, const FrameSpace& space,
             const glm::mat4& clip_from_frame, const ViewOptions& options);
 
  private:
   struct Stick {
     glm::vec3 from, to;
+    float group;  // packed_piece of that of its face
   };
   struct Gathered {
     std::vector<BoxLine> all_boxes;
     gl::Stream<BoxLine> boxes{
         gl::ItemsAre::kInstances,
         {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
-    gl::Stream<Stick> sticks{gl::ItemsAre::kInstances,
-                             {{3, offsetof(Stick, from)}, {3, offsetof(Stick, to)}}};
+    gl::Stream<Stick> sticks{
+        gl::ItemsAre::kInstances,
+        {{3, offsetof(Stick, from)}, {3, offsetof(Stick, to)}, {1, offsetof(Stick, group)}}};
     gl::Stream<BoxLine> path{
         gl::ItemsAre::kInstances,
         {{3, offsetof(BoxLine, low)}, {3, offsetof(BoxLine, high)}, {2, offsetof(BoxLine, style)}}};
     ShowOptions shown;
     TreeOverlay tree;
+    std::shared_ptr<const PieceGroups> groups;
   };
-  void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options) const;
+  void gather(Gathered& lines, const Body& body, const FloatFrame& frame, const ViewOptions& options,
+              std::shared_ptr<const PieceGroups> groups) const;
   std::vector<BoxLine> gather_boxes(const Body& body, const FloatFrame& frame, const TreeOverlay& tree) const;
-  std::vector<Stick> gather_normals(const Body& body, const FloatFrame& frame) const;
+  std::vector<Stick> gather_normals(const Body& body, const FloatFrame& frame,
+                                    const PieceGroups* groups) const;
   void draw_boxes(Gathered& lines, const glm::mat4& from_body, const ViewOptions& options) const;
 
   gl::Program box_, stick_;

@@ -13,19 +13,27 @@ namespace kerf {
 
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-}
 
-void ShadowRays::add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of,
+// Maps a point of the float frame of a body to where the transform draws it.
+Vec3 displaced(const Vec3& p, const Placement& body, const FloatFrame& frame, const Placement& drawn) {
+  if (drawn.orientation == glm::dquat(1, 0, 0, 0))
+    return p + glm::conjugate(body.orientation) * drawn.position * frame.scale;
+  const Vec3 in_world = body.to_world(frame.origin + p / frame.scale);
+  return frame.scaled(body.to_body(drawn.to_world(in_world)));
+}
+}  // namespace
+
+void ShadowRays::add(const Body& body, const FloatFrame& frame, const PieceTransform& transform_of,
                      std::span<const uint32_t> labels) {
   const ShadowCaster caster(body.mesh, frame, labels);
   Copy copy{{}, {}, {}, frame, body.placement};
   Soup soup;
   for (uint32_t f = 0; f < caster.face_slots(); ++f) {
     if (!caster.casts(f)) continue;
-    const std::optional<Vec3> offset = offset_of(caster.piece(f));
-    if (!offset) continue;
-    const Vec3 moved = glm::conjugate(body.placement.orientation) * *offset * frame.scale;
-    for (const glm::vec3& p : caster.corners(f)) soup.positions.push_back(Vec3(p) + moved);
+    const std::optional<Placement> drawn = transform_of(caster.piece(f));
+    if (!drawn) continue;
+    for (const glm::vec3& p : caster.corners(f))
+      soup.positions.push_back(displaced(Vec3(p), body.placement, frame, *drawn));
     const auto last = static_cast<uint32_t>(soup.positions.size());
     soup.triangles.push_back({last - 3, last - 2, last - 1});
     copy.slots.push_back(f);

@@ -16,11 +16,12 @@ namespace kerf {
 // and computes everything else in double.
 class ShadowRays {
  public:
-  // Returns the displacement of a piece when drawn [m], along the world axes; nullopt if it is hidden.
-  using PieceOffset = std::function<std::optional<Vec3>(uint32_t piece)>;
+  // Returns the display transform of a piece: a point p of the world is drawn at to_world(p); nullopt if the
+  // piece is hidden.
+  using PieceTransform = std::function<std::optional<Placement>(uint32_t piece)>;
 
   // Adds a copy of the body's current faces. `labels` as for ShadowCaster. O(n log n).
-  void add(const Body& body, const FloatFrame& frame, const PieceOffset& offset_of,
+  void add(const Body& body, const FloatFrame& frame, const PieceTransform& transform_of,
            std::span<const uint32_t> labels = {});
 
   // A hit of a ray on a face.

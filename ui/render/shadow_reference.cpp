@@ -77,10 +77,11 @@ ShadowRays rays_through(const Subject& subject) {
   ShadowRays rays;
   for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
     const BodyLooks looks(id, body, subject.options);
-    const auto offset_of = [&](uint32_t group) -> std::optional<Vec3> {
-      return looks.of(group).hidden ? std::nullopt : std::optional(looks.of(group).offset);
+    const auto transform_of = [&](uint32_t group) -> std::optional<Placement> {
+      const PieceLook& look = looks.of(group);
+      return look.hidden ? std::nullopt : std::optional(Placement{look.offset, look.turn});
     };
-    rays.add(body, picture.faces().frame(), offset_of, labels_of(looks.groups()));
+    rays.add(body, picture.faces().frame(), transform_of, labels_of(looks.groups()));
   });
   return rays;
 }

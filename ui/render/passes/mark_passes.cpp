@@ -145,21 +145,20 @@ constexpr float kLoopHalfWidth = 1.1f, kEarlierLoop = 0.45f;  // pixels; opacity
 constexpr float kMinRadius = 1.6f, kMaxRadius = 7;            // of a disc, pixels
 constexpr float kRadiusOfLink = 0.22f;                        // of the usual length of a link
 
-// The drawn positions of nodes: moved with their bodies and displaced with their pieces; none for hidden
-// pieces.
+// The drawn positions of nodes: moved with their bodies, displaced and turned with their pieces; none for
+// hidden pieces.
 class Places {
  public:
   Places(const Subject& subject, const DrawnGraph& graph) : subject_(subject), graph_(graph) {}
 
   std::optional<glm::vec3> of(const DrawnGraph::Node& node) {
     const Vec3 middle = graph_.moved_with(node.face.body, node.middle, subject_.world);
-    const glm::vec3 at = subject_.space.from_world(middle);
-    if (node.removed || !is_live(node.face)) return at;
+    if (node.removed || !is_live(node.face)) return subject_.space.from_world(middle);
     const BodyId id = node.face.body;
     const auto found = looks_.try_emplace(id, id, subject_.world.body(id), subject_.options).first;
     const PieceLook& look = found->second.of(subject_.world.body(id).mesh, node.face.face);
     if (look.hidden) return std::nullopt;
-    return at + glm::vec3(subject_.space.turned(look.offset) / subject_.space.unit);
+    return subject_.space.from_world(look.turn * middle + look.offset);
   }
 
  private:
@@ -347,7 +346,7 @@ void GraphPass::draw_lit_face(const Subject& subject) {
   const Triangle t = body.mesh.triangle(lit.face);
   const glm::vec4 colour = srgb(selection_colour(subject.options.tree.palette), 1);
   const auto corner = [&](size_t i) {
-    return subject.space.from_world(body.placement.to_world(t[i % 3]) + look.offset);
+    return subject.space.from_world(look.turn * body.placement.to_world(t[i % 3]) + look.offset);
   };
   std::vector<ColouredLines::Line> sides;
   for (size_t i = 0; i < 3; ++i) sides.push_back({corner(i), corner(i + 1), colour});

@@ -112,11 +112,20 @@ class Candidates {
       const FaceData& data = body.mesh.data(FaceId(f));
       const PieceLook& look = looks.of(body.mesh, FaceId(f));
       if (look.hidden) continue;
-      const glm::vec3 offset(subject_.space.turned(look.offset) / subject_.space.unit);
       const Triangle t = body.mesh.triangle(FaceId(f));
-      add({FaceId(f), data.base, body_, false, {}, 0},
-          {frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])}, from_body, offset);
+      const FaceCorners corners{frame.to_float(t[0]), frame.to_float(t[1]), frame.to_float(t[2])};
+      const LabelCandidate candidate{FaceId(f), data.base, body_, false, {}, 0};
+      if (look.is_turned()) {
+        add(candidate, corners, subject_.space.from_body(turned_by(look, body.placement), frame),
+            glm::vec3(0));
+      } else {
+        add(candidate, corners, from_body,
+            glm::vec3(subject_.space.turned(look.offset) / subject_.space.unit));
+      }
     }
+  }
+  static Placement turned_by(const PieceLook& look, const Placement& placement) {
+    return {look.turn * placement.position + look.offset, look.turn * placement.orientation};
   }
   void add(LabelCandidate c, const FaceCorners& corners, const glm::mat4& from_body,
            const glm::vec3& offset) {

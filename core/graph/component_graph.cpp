@@ -571,7 +571,8 @@ std::vector<LoopPath> loop_paths(const World& world, const CutFaces& removed, si
   std::vector<LoopPath> paths;
   size_t before = 0;
   for (const auto& [id, faces] : removed) {
-    if (world.contains(id)) LoopFinder(id, world.body(id), faces).find(before, max_visits, paths);
+    if (!world.contains(id)) continue;
+    LoopFinder(id, world.body(id), faces).find(before, max_visits, paths);
     before += faces.size();
   }
   return paths;

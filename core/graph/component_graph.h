@@ -178,7 +178,7 @@ std::optional<uint32_t> start_next_to_cut(const CutGraph& graph);
 // A loop of removed faces closed by one of the removals (see CutLoops), as a polyline along their edges.
 struct LoopPath {
   BodyId body;               // from which the faces were removed
-  size_t removal = 0;        // the removal that closed it, of all in order, counted from 1
+  size_t removal = 0;        // the removal that closed it, counted from 1 in the order of CutGraph::nodes
   std::vector<Vec3> points;  // in world coordinates [m]
   bool runs_around = true;   // else it runs from border to border, closed by the border
 };

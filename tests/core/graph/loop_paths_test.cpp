@@ -123,6 +123,25 @@ TEST(LoopPaths, of_random_cuts_follow_edges_removed_earlier) {
   EXPECT_EQ(found, closings);
 }
 
+TEST(LoopPaths, count_no_removals_of_bodies_that_no_longer_exist) {
+  World world;
+  const BodyId deleted = world.add(make_body("deleted", build(sphere(12, 16, 1))));
+  const BodyId ball = world.add(make_body("ball", build(sphere(12, 16, 1))));
+  const Vec3 forward(0, 0, -1);
+  const auto done = cut_whole(world, fine(0.06),
+                              std::vector<BeamMove>{{{{-1.4, 0.1, 3}, forward}, {{1.4, 0.1, 3}, forward}}});
+  ASSERT_TRUE(done.ok());
+  CutFaces removed;
+  for (const BodyDelta& b : done->delta.bodies) removed[b.body] = b.removed;
+  ASSERT_FALSE(removed[deleted].empty());
+  world.remove(deleted);
+  const std::vector<LoopPath> paths = loop_paths(world, removed),
+                              of_ball = loop_paths(world, {{ball, removed[ball]}});
+  ASSERT_EQ(paths.size(), of_ball.size());
+  EXPECT_FALSE(paths.empty());
+  for (size_t i = 0; i < paths.size(); ++i) EXPECT_EQ(paths[i].removal, of_ball[i].removal);
+}
+
 TEST(LoopPaths, are_omitted_when_the_visit_limit_is_reached) {
   const Vec3 forward(0, 0, -1);
   const Cut cut =

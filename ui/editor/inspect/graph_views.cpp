@@ -29,10 +29,11 @@ namespace {
 
 constexpr double kPlaySeconds = 6;  // for a whole traversal
 
-std::vector<size_t> closings_of(const CutFaces& removed) {
+std::vector<size_t> closings_of(const World& world, const CutFaces& removed) {
   std::vector<size_t> closings;
   size_t removals = 0;
   for (const auto& [body, faces] : removed) {
+    if (!world.contains(body)) continue;
     for (const CutFace& f : faces) {
       ++removals;
       if (f.closed_loop) closings.push_back(removals);
@@ -297,7 +298,7 @@ void GraphState::read_cut(const Document& document) {
   cut_off_ = cut ? document.history().step(*cut).totals().came_off.size() : 0;
   graph_ = cut_graph(document.world(), removed);
   removed_ = removals_ = graph_.nodes.size() - graph_.live;
-  closings_ = closings_of(removed);
+  closings_ = closings_of(document.world(), removed);
   loops_ = loop_paths(document.world(), removed);
 }
 

@@ -95,8 +95,8 @@ class GraphState {
   // in its bodies, which the traversal does not leave.
   size_t cut_off() const { return cut_off_; }
 
-  // The removals of the stroke that closed a loop of removed faces (see CutLoops), numbered from 1, in
-  // order; and whether all faces that the stroke removed are kept.
+  // The removals of the stroke that closed a loop of removed faces (see CutLoops), in order and numbered from
+  // 1 up to removed(); and whether all faces that the stroke removed are kept.
   const std::vector<size_t>& closings() const { return closings_; }
   bool complete() const { return complete_; }
 

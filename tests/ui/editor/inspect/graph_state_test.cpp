@@ -225,6 +225,34 @@ TEST(GraphState, provides_removals_and_the_loops_they_closed) {
   EXPECT_EQ(graph.drawn()->removals, graph.removed());
 }
 
+TEST(GraphState, counts_no_removals_of_deleted_bodies) {
+  World world;
+  for (const double y : {0.0, -0.5})
+    world.add(make_body("sheet", test::build(test::moved(test::grid(10, 2), {0, y, 0}, 1))));
+  Document document(std::move(world));
+  cut_at(document, 0.1);
+  run_queue(document);
+  const BodyId upper = document.world().ids().front();
+  for (int piece = 0; piece < 2; ++piece) {
+    for (const BodyId id : document.world().ids()) {
+      const Body& body = document.world().body(id);
+      if (body.loaded_as != upper) continue;
+      uint32_t label = 0;
+      while (body.pieces[label].faces == 0) ++label;
+      ASSERT_TRUE(document.apply(DeletePiece{{id, label}}).ok());
+      break;
+    }
+  }
+  ASSERT_EQ(document.world().ids().size(), 1u);
+  GraphState graph;
+  graph.follow(document);
+  ASSERT_GT(graph.removed(), 0u);
+  ASSERT_FALSE(graph.closings().empty());
+  EXPECT_LE(graph.closings().back(), graph.removed());
+  ASSERT_FALSE(graph.drawn()->loops.empty());
+  for (const LoopPath& loop : graph.drawn()->loops) EXPECT_LE(loop.removal, graph.removed());
+}
+
 TEST(PieceTree, lists_pieces_under_their_origin_by_step) {
   const BodyId body{0, 0};
   const auto piece = [&](uint32_t label) { return PieceId{body, label}; };

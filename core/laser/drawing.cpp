@@ -213,7 +213,9 @@ void extend_line(DrawnLine& line, const std::vector<DrawnLine>& lines, LineEnds&
     ends.use(*next);
     std::vector<Vec2> points = lines[*next].points;
     if (!ends.meets(points.front(), line.points.back())) std::reverse(points.begin(), points.end());
-    line.points.insert(line.points.end(), points.begin() + 1, points.end());
+    for (size_t i = 1; i < points.size(); ++i) {
+      if (points[i] != line.points.back()) line.points.push_back(points[i]);
+    }
   }
 }
 
@@ -236,7 +238,8 @@ void join_lines(std::vector<DrawnLine>& lines, double distance) {
       }
       if (line.points.size() > 3 && ends.meets(line.points.front(), line.points.back())) {
         line.points.pop_back();
-        line.closed = true;
+        while (line.points.back() == line.points.front()) line.points.pop_back();
+        line.closed = line.points.size() > 2;
       }
     }
     joined.push_back(std::move(line));

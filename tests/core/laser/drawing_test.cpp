@@ -315,6 +315,22 @@ TEST(DxfDrawing, lines_and_arcs_that_meet_become_one_closed_line) {
   EXPECT_NEAR(std::abs(area_of_line(drawing.lines[0])), 200e-6 + 0.5 * kPi * 25e-6, kPi * 0.005 * kFlatness);
 }
 
+// A line that is shorter than the tolerance leads back to the end of another, and a polyline passes its
+// start.
+TEST(DxfDrawing, lines_that_meet_repeat_no_point) {
+  const Drawing angle = dxf_of(
+      "0\nLINE\n10\n0\n20\n0\n11\n10\n21\n0\n0\nLINE\n10\n10.0005\n20\n0\n11\n10\n21\n0\n"
+      "0\nLINE\n10\n10\n20\n0\n11\n10\n21\n5\n");
+  ASSERT_EQ(angle.lines.size(), 1u);
+  ASSERT_EQ(angle.lines[0].points.size(), 3u);
+  EXPECT_DOUBLE_EQ(length_of_line(angle.lines[0]), 0.015);
+  const Drawing triangle = dxf_of(
+      "0\nLWPOLYLINE\n70\n0\n10\n0\n20\n0\n10\n4\n20\n0\n10\n0\n20\n3\n10\n0\n20\n0\n10\n0.0005\n20\n0\n");
+  ASSERT_EQ(triangle.lines.size(), 1u);
+  EXPECT_TRUE(triangle.lines[0].closed);
+  EXPECT_EQ(triangle.lines[0].points.size(), 3u);
+}
+
 TEST(DxfDrawing, units_are_those_of_the_header_else_millimetres) {
   const std::string line = "0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n";
   EXPECT_NEAR(dxf_of(line).lines[0].points[1].x, 0.002, 1e-15);

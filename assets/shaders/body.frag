@@ -1,5 +1,5 @@
-// What a body shows of itself, in parts that are added up: what it has without the lights (the sky and its
-// reflection, the beam's spot, its own glow), with DIRECT the share of one light, and with GLOW its glow alone.
+// The light from a body, in parts that are added: without defines all but that of the lights (the sky and its
+// reflection, the spot of the beam, the body's own glow), with DIRECT that of one light, with GLOW its glow alone.
 in vec3 at;
 in vec3 normal;
 #ifdef WIRE
@@ -15,7 +15,7 @@ centroid in vec3 place;
 flat in float number_of_face;
 
 uniform int heated;  // 1 where the body has temperatures
-uniform sampler2D heat_ramps;  // see heat_ramps.h
+uniform sampler2D heat_ramps;  // see heat_colours.h
 #endif
 
 uniform float terminator;  // sine of the angle between smooth normals and facets
@@ -34,7 +34,7 @@ struct Surface {
 layout(std140) uniform Surfaces { Surface surfaces[256]; };
 const float kLayerBase = 512.0;  // of two layers in one number; as in surface_textures.cpp
 
-// What the material and its maps are at this place.
+// The material and the values of its maps at this place.
 vec4 coat = vec4(0.0);  // colour, gloss
 float metal = 0.0, open_to_sky = 1.0;
 vec3 emitted = vec3(0.0);
@@ -48,11 +48,11 @@ const bool is_double_sided = false;
 
 out vec4 pixel;  // linear light; alpha: how much of it may bloom
 
-// What heat makes of a surface.
+// The effects of heat on a surface.
 struct Hot {
   vec3 light;   // that it emits
-  vec3 tint;    // the colour of what is burnt of its paint
-  float burnt;  // the share that is
+  vec3 tint;    // colour of the burnt share of its paint
+  float burnt;  // that share
 };
 
 #ifdef RIM
@@ -68,8 +68,8 @@ vec4 ramp(int row, float at) { return texture(heat_ramps, vec2(at, (float(row) +
 const float kHottestOfRows = 4096.0;  // K
 const float kAmbient = 293.0;
 
-// K, where the surface is. Away from what is hot, heat falls off less and less steeply, so that it is nowhere
-// above the straight line between the corners.
+// The temperature of this point (K). Away from a hot place it falls off less and less steeply, so it is nowhere above
+// the straight line between the corners.
 float temperature_of(vec4 extrapolated, float straight) {
   return max(min(dot(extrapolated.xyz, place) + extrapolated.w, straight), kAmbient);
 }

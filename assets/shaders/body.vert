@@ -5,9 +5,9 @@ layout(location = 3) in float from_rim;  // distance from the nearest rim of a c
 layout(location = 4) in uvec2 traits;    // halvings, material
 layout(location = 5) in float warmth;    // the temperature at the corner, in units of kWarmest
 layout(location = 6) in vec3 warming;    // its gradient, in units of kGradientUnit
-layout(location = 7) in float hottest;   // the same of the highest temperature that was
+layout(location = 7) in float hottest;   // the same of the highest temperature so far
 layout(location = 8) in vec3 heating;
-layout(location = 9) in float scalar;    // the number of the face (see scalar_field.h)
+layout(location = 9) in float scalar;    // the number of the face, see ScalarField
 #ifdef TEXTURED
 layout(location = 10) in vec2 corner_uv;
 
@@ -19,7 +19,7 @@ const uint kPieceColours = 32u;
 const float kDescribed = 2.0;  // added to the gloss of materials that their file describes
 layout(std140) uniform Paints {
   vec4 paints[256];            // linear rgb, gloss; see kDescribed
-  vec4 pieces[kPieceColours];  // linear rgb; see piece_palette.h
+  vec4 pieces[kPieceColours];  // linear rgb; see piece_colours() in body_picture.h
 };
 
 uniform mat3 turn;
@@ -34,8 +34,8 @@ invariant gl_Position;
 flat out vec4 paint;
 #ifdef RIM
 centroid out float rim;  // 0 at a rim that glows, 1 and more where nothing does
-// Two temperatures (K), that of now and the highest that was: what the corner extrapolates to, as the gradient
-// and the value where the position is 0, and its own.
+// Two temperatures (K), the current and the highest so far: their linear extrapolations from the corner, as the
+// gradient and the value at position 0, and those of the corner itself.
 centroid out vec4 now, once;
 centroid out vec2 at_corner;
 centroid out float noted;  // 1 at corners that know their highest temperature
@@ -56,14 +56,14 @@ vec3 hue_colour(float hue, float saturation, float value) {
   return value * mix(vec3(1.0), wheel, saturation);
 }
 
-// Neighbouring numbers get hues far apart, for the view that has pieces for its subject.
+// Neighbouring numbers get distant hues, for the view of pieces.
 vec3 strong_colour(uint piece) {
   float turn_of = fract(float(piece) * 0.61803399);
   float shade = fract(float(piece) * 0.7548777);
   return hue_colour(turn_of, 0.80, 0.40 + 0.25 * shade);
 }
 
-// The sets of a separation (see piece_looks.cpp), in the colours of the component graph.
+// The sets of a separation (see body_picture.cpp), in the colours of the component graph.
 const uint kStayed = 65536u;
 const vec3 kStayedColour = vec3(0.042, 0.22, 0.60), kCameOffColour = vec3(0.62, 0.50, 0.22);
 

@@ -3,11 +3,11 @@ layout(location = 2) in uint piece;
 
 uniform int first_slot;  // of vertex 0
 uniform int body;        // 1 .. 127
-uniform int only;        // 0: all, 1: pieces that are selected, 2: those that are not drawn where they are
+uniform int only;        // 0: all, 1: selected pieces, 2: hidden or displaced pieces, at their positions in the world
 
 invariant gl_Position;
 
-flat out vec4 mark;  // which face this is, in the bytes of a pixel
+flat out vec4 mark;  // slot of the face and number of the body, in the bytes of a pixel
 
 void main() {
   vec4 look = look_of(piece);

@@ -1,24 +1,23 @@
-// The workshop at dusk, or by day: where light comes from, and how it ends up in the eight bits of a pixel. Linear
-// light.
+// Ambient light and reflections of the workshop at dusk or by day, and tone mapping to eight bits. Linear light.
 
 const vec3 kRimDirection = vec3(0.62, 0.35, -0.70);
 const vec3 kRimColour = vec3(0.34, 0.42, 0.55);
 
-// The height of the unit vector towards what a pixel shows of the surroundings.
+// The height of the unit vector along the ray of this pixel.
 float rise_of_sight() {
   vec2 side = (gl_FragCoord.xy * viewport.zw * 2.0 - 1.0) * vec2(camera_right.w, camera_up.w);
   return (camera_forward.y + side.x * camera_right.y + side.y * camera_up.y) * inversesqrt(1.0 + dot(side, side));
 }
 
-// What is seen at this height of a unit vector: a band of light along the horizon under a darker sky. Far ground has
-// the colour of the sky as high above the horizon.
+// The background at this height of a unit vector: a band of light along the horizon under a darker sky. Far ground
+// has the colour of the sky at the same height above the horizon.
 vec3 background(float rise) {
   float up = abs(max(rise, -0.3));
   float low = exp(-3.25 * up), low2 = low * low;
   return mix(sky_high.rgb, sky_low.rgb, low) + sky_band.rgb * (low2 * low2);
 }
 
-// What polished paint mirrors: the sky, a dark ground, and a broad soft light around the key.
+// The surroundings reflected by polished paint: the sky, a dark ground, and a broad soft light around the key light.
 vec3 surroundings(vec3 direction) {
   float up = direction.y;
   vec3 sky = mix(vec3(0.36, 0.42, 0.50), vec3(0.10, 0.13, 0.19), clamp(up * 1.3, 0.0, 1.0));
@@ -62,7 +61,7 @@ vec3 finish(vec3 linear) {
   return screen + (noise - 0.5) / 255.0;
 }
 
-// How much of what is seen at a place the haze lets through, and what it adds.
+// The share of light from a place that the haze transmits; and a colour behind haze, with the light that it adds.
 float clear_air(vec3 at) { return exp(-0.028 * length(at)); }
 vec3 haze(vec3 colour, vec3 at) {
   return mix(background(at.y / max(length(at), 1e-6)), colour, clear_air(at));

@@ -1,5 +1,5 @@
 layout(location = 0) in vec2 place;  // one digit an instance: its lower left corner, pixels
-layout(location = 1) in vec2 style;  // which digit; 1 for a face that is gone
+layout(location = 1) in vec2 style;  // the digit; 1 for a removed face
 
 uniform vec4 cell;   // width and height of a digit with its border, pixels of its bitmap
 uniform float zoom;  // pixels of the picture for one of the bitmap

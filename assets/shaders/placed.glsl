@@ -1,4 +1,4 @@
-// Where the faces of a body are drawn: where it stands, and where the look of their piece moves them.
+// Positions of the faces of a body: transformed by its placement, then by the look of their piece.
 uniform mat4 frame_from_body;
 uniform int looks;                  // groups below this have a look
 // Two texels a group. The first: xyz: moved by, in frame coordinates; w: -1 hidden, else 1 if selected, plus twice
@@ -24,8 +24,8 @@ vec3 placed(vec3 position, vec4 look, vec4 turn) {
   return turned((frame_from_body * vec4(position, 1.0)).xyz, turn) + look.xyz;
 }
 
-// How far a place lies under the section plane, on the side that is drawn, in frame units.
+// The depth of a point below the section plane, on the side that is drawn, in frame units.
 float under_section(vec3 at) { return dot(section, vec4(at, 1.0)); }
 
-// Beyond what is seen; a face with all its corners there is not drawn.
+// Outside the view volume: a face with all its corners there is not drawn.
 const vec4 kNowhere = vec4(0.0, 0.0, 2.0, 1.0);

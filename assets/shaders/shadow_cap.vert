@@ -1,15 +1,15 @@
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint piece;
 
-uniform isamplerBuffer signs;  // of the faces of this chunk: 1 faces the light, -1 averted, 0 casts nothing
+uniform isamplerBuffer signs;  // of the faces of this chunk: 1: faces the light, -1: faces away, 0: casts no shadow
 uniform int wanted;            // faces of this sign are drawn
-uniform int under;             // 1: what the section plane leaves is drawn, -1: the rest
-uniform int pushed;            // 0: where they are, 1: where the light pushes them in the end
+uniform int under;             // 1: the kept side of the section plane is drawn, -1: the other side
+uniform int pushed;            // 0: at their positions, 1: extruded away from the light, see end_of_push()
 
 invariant gl_Position;
 
-// Where they are these have to be the very pixels and depths of the picture: the same expression, the same corners
-// in the same order.
+// At their positions these must have exactly the pixels and depths of the frame: the same expression, and the same
+// corners in the same order.
 void main() {
   vec4 look = look_of(piece);
   vec3 at = placed(position, look, turn_of(piece));

@@ -4,11 +4,11 @@ uniform vec4 light;
 uniform int has_floor;       // 1: volumes end at a floor, 0: they extend to infinity
 uniform float floor_height;  // in frame coordinates
 
-// Where the light pushes a point in the end, as a direction.
+// The direction in which a point is extruded away from the light.
 vec3 away_from_light(vec3 at) { return at * light.w - light.xyz; }
 
-// Where the light pushes a point in the end, in clip coordinates. With a floor, the light is a direction from above,
-// and what lies under the floor stays.
+// The end of the extrusion of a point, in clip coordinates: at infinity or, for a directional light from above, on
+// the floor. Points below the floor stay.
 vec4 end_of_push(vec3 at) {
   if (has_floor == 0) return clip_from_frame * vec4(away_from_light(at), 0.0);
   return clip_from_frame * vec4(at - light.xyz * max((at.y - floor_height) / light.y, 0.0), 1.0);

@@ -4,7 +4,7 @@ layout(location = 2) in uint piece;
 layout(location = 3) in int multiplicity;
 
 uniform int vertices_of_side;  // 6, or 3 where all points at infinity are one
-uniform float reach;           // how far it is extruded, frame units; 0: without end
+uniform float reach;           // length of the extrusion, frame units; 0: see end_of_push()
 
 invariant gl_Position;
 #ifdef SHEET
@@ -17,7 +17,7 @@ vec4 pushed(vec3 at) {
 }
 
 // From the edge u -> v, which has the volume on its left seen from the light, the outward triangles (v, u, u')
-// and (v, u', v'), as often as its multiplicity says.
+// and (v, u', v'), once for each unit of its multiplicity.
 void main() {
   vec4 look = look_of(piece);
   int copy = gl_VertexID / vertices_of_side, which = gl_VertexID % vertices_of_side;

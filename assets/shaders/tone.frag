@@ -1,7 +1,7 @@
 // From linear light to the eight bits of the screen.
 #ifdef SAMPLES
 uniform sampler2DMS scene;
-uniform int which;  // of the samples
+uniform int which;  // index of the sample
 #else
 uniform sampler2D scene;
 const int which = 0;

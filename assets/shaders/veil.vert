@@ -6,7 +6,7 @@ uniform int body;
 
 out vec3 at;
 out vec3 corner;     // 1 at the first, second, third corner
-flat out vec4 mark;  // as in faces.vert, the highest bit for a face that is gone
+flat out vec4 mark;  // as in faces.vert; the highest bit marks a removed face
 
 void main() {
   at = (frame_from_body * vec4(position, 1.0)).xyz;

@@ -41,9 +41,8 @@ struct Toolpath {
   std::vector<std::string> notes;  // sentences on entries and tabs without room
 };
 
-// Turns the lines of a drawing into strokes: inner before outer, with alternating directions
-// offset to a side, with entries and tabs.
-// Fails like offset_line().
+// Turns the lines of a drawing into strokes: inner lines before outer ones, in alternating directions, offset
+// to a side, with entries and tabs. Fails like offset_line(), or if there are more than 50 000 lines.
 Result<Toolpath> make_toolpath(std::vector<DrawnLine> lines, const ToolpathOptions& options);
 
 }  // namespace kerf

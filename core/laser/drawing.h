@@ -94,7 +94,7 @@ struct EllipseArc {
 size_t chord_count(double bend, double tolerance, size_t most);
 
 // Collects the lines of a drawing and flattens curves. After a coordinate that is not finite or too large, or
-// too many points, it ignores all input, and fault() says what is wrong.
+// too many points, it ignores all input, and fault() returns the reason.
 class DrawingBuilder {
  public:
   // Precondition: tolerance > 0, in metres.
@@ -122,7 +122,7 @@ class DrawingBuilder {
   bool count_element();
 
   double tolerance() const { return tolerance_; }
-  // What the input must not be, as the end of a sentence; empty if it is acceptable.
+  // The reason why the input is not acceptable, as a clause with the remedy; empty if it is.
   const std::string& fault() const { return fault_; }
   const std::vector<DrawnLine>& lines() const { return drawing_.lines; }
 

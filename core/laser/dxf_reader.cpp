@@ -61,7 +61,7 @@ class DxfReader {
   Status draw_all(const std::vector<DxfEntity>& entities, const Placing& placing) {
     for (size_t i = 0; i < entities.size(); ++i) {
       const size_t first = i;
-      // The corners of a polyline, and the attributes of an insert, follow as entities up to SEQEND.
+      // The corners of a polyline follow it as entities.
       if (entities[i].type() == "POLYLINE") {
         while (i + 1 < entities.size() && entities[i + 1].type() == "VERTEX") ++i;
       }

@@ -28,11 +28,12 @@ struct ProgramStroke {
 struct Program {
   std::vector<ProgramStroke> strokes;  // in order
   double duration = 0;                 // s, with rapid moves at kRapidSpeed and pauses of 0 s
-  std::vector<std::string> notes;      // sentences on words whose effect is not known
+  std::vector<std::string> notes;      // sentences on words whose effect depends on the machine
   RotaryAxes rotary;                   // of the machine
 };
 
-// Speeds of rapid moves, which a program does not state [m/s, degrees/s]. The slower one counts.
+// Speeds of rapid moves, which a program does not state [m/s, degrees/s]. A rapid move takes the longer of
+// the two times.
 inline constexpr double kRapidSpeed = 10.0 / 60, kRapidTurn = 60;
 
 // Reads a program of GRBL or LinuxCNC: G0 to G4, G17 to G21, G28, G43, G53 to G59, G64, G90 to G92, G90.1,
@@ -53,7 +54,7 @@ struct PostProcessor {
   std::vector<std::string> end{"M2"};
   std::string laser_on = "M3", laser_off = "M5";  // of each stroke
   double full_power = 1000;                       // S of the largest power, > 0
-  std::optional<int> decimals;                    // 0 .. 17; by default as many as restore each number
+  std::optional<int> decimals;                    // 0 .. 17; nullopt: as many as restore each number
 };
 
 // Formats a program in millimetres: each stroke is laser_on with its S, feed moves whose F gives the times,

@@ -49,7 +49,7 @@ enum class ModalGroup {
   kCoolant
 };
 
-// A word that is understood. G words are stored in tenths: G90.1 is 901.
+// A supported word. Numbers are stored in tenths: G90.1 is 901.
 struct KnownWord {
   char letter;
   int tenths;

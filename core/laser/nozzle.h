@@ -7,7 +7,8 @@
 
 namespace kerf {
 
-// The nozzle round a beam: a cone that widens from its tip, at the origin of the beam, against the direction.
+// The nozzle around a beam: a cone that widens from its tip, at the origin of the beam, against its
+// direction.
 struct Nozzle {
   double radius = 0;  // of the tip, m, > 0
   double slope = 0;   // growth of the radius per metre, >= 0

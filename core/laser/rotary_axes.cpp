@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-// Max rotation between two keys of a beam [rad].
+// Maximum rotation between two keys of a beam [rad].
 constexpr double kMaxTurnOfPart = 0.035;
 
 double angle_of(const RotaryAxis& axis, const MachinePosition& at) { return at.angles[axis.letter - 'A']; }

@@ -24,18 +24,19 @@ struct MachinePosition {
   bool operator==(const MachinePosition&) const = default;
 };
 
-// The rotary axes of a machine. Tables carry the next ones of the list, the last one the part; heads
-// likewise, the last one the beam. Without rotations the beam points along -Z from the programmed point.
+// The rotary axes of a machine. Each table carries the next table of the list, and the last one the part;
+// each head carries the next head, and the last one the beam. At zero angles the beam points along -Z and
+// passes through the programmed point.
 struct RotaryAxes {
   std::vector<RotaryAxis> axes;  // each letter at most once
-  double height = 0;             // of the start of the beam before the programmed point [m, >= 0]
+  double height = 0;             // from the programmed point to the start of the beam [m, >= 0]
 
   // Returns true if the axis of this letter is in the list.
   bool has(char letter) const;
   // Returns the beam in the frame of the part, i.e. of the machine with all tables at zero.
   Pose beam(const MachinePosition& at) const;
-  // Returns into how many equal parts a move with the laser on must be divided, so that the beam's straight
-  // moves from part to part stay within `tolerance` [m, > 0] of it; 1 without rotation.
+  // Returns the number of equal parts into which a move with the laser on must be divided, so that straight
+  // moves of the beam from part to part stay within `tolerance` [m, > 0] of it; 1 without rotation.
   double parts(const MachinePosition& from, const MachinePosition& to, double tolerance) const;
 };
 

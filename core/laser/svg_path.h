@@ -25,7 +25,7 @@ class SvgValue {
   bool at_end();
   // Reads a finite number after blanks and a comma, at most 1e30 in magnitude; nullopt if there is none.
   std::optional<double> number();
-  // Reads a flag of an arc, one digit 0 or 1, which no blank must follow.
+  // Reads a flag of an arc, one digit 0 or 1; a blank after it is optional.
   std::optional<bool> flag();
   // Reads letters after blanks; empty if there are none.
   std::string_view word();

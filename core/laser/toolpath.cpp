@@ -68,7 +68,7 @@ std::vector<size_t> inner_first(const std::vector<Nesting>& nesting) {
   return order;
 }
 
-// Returns the point at a distance along the line from its first point, closed or not.
+// Measures positions on a line by their distance along it from the first point.
 class ArcLength {
  public:
   explicit ArcLength(const std::vector<Vec2>& points) : points_(points), at_(1, 0.0) {
@@ -79,7 +79,7 @@ class ArcLength {
 
   double total() const { return at_.back(); }
 
-  // Returns the part between two distances. Precondition: 0 <= from < to <= total.
+  // Returns the points of the part between two distances. Precondition: 0 <= from < to <= total.
   std::vector<Vec2> part(double from, double to) const {
     std::vector<Vec2> part{at(from)};
     for (size_t i = 0; i < points_.size(); ++i) {

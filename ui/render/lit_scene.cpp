@@ -12,7 +12,7 @@ namespace {
 constexpr int kContactPixels = 256;
 constexpr int kContactBlurs = 3;
 constexpr double kContactMargin = 1.5;  // of the larger side of the world seen from above
-// of the height of the world: depth below the ground from which nothing is visible
+// Depth below the ground at which nothing is visible, as a fraction of the height of the world.
 constexpr double kHidden = 0.1;
 constexpr double kRadius = 14;  // of the disc, in diagonals of the world
 

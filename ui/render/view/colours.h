@@ -89,7 +89,7 @@ inline constexpr uint32_t kPreview = 0x8fe3cf;
 // Loops closed by removed faces.
 inline constexpr uint32_t kLoop = 0xf4f7fb;
 
-// Pixels whose ray contradicts the frame, finds them lit, and finds them in shadow.
+// Pixels where a traced ray contradicts the frame; of the other traced pixels, lit ones and those in shadow.
 inline constexpr uint32_t kWrong = 0xff28dc, kTracedLit = 0xece2be, kTracedShadow = 0x080c16;
 
 }  // namespace kerf::overlay_colours

@@ -320,8 +320,7 @@ struct ViewSwitch {
   void (*set)(ViewOptions&, size_t) = nullptr;
 
   bool is_two_state() const { return states.size() == 2; }
-  // Advances to the next state, cyclically.
-  // Sets the next state. Overlays that colour the whole picture exclude each other.
+  // Advances to the next state, cyclically. Shadow volumes and stencil counts switch each other off.
   void flip(ViewOptions& look) const;
 };
 

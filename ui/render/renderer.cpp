@@ -471,6 +471,13 @@ void Renderer::rename_body(BodyId from, BodyId to) {
   passes_.scene.shadows().rename_body(from, to);
 }
 
+// Detached pieces are no added meshes: they may have moved below the ground, which then stays.
+bool Renderer::adds_mesh_below_ground(const World& world, const Delta& delta) {
+  const auto is_loaded = [&](const BodyId id) { return world.body(id).loaded_as == id; };
+  return delta.detached.empty() && std::ranges::any_of(delta.created, is_loaded) &&
+         height_of_drawn_ground(world, space_.up) < passes_.scene.ground().height();
+}
+
 void Renderer::follow(const World& world, const Delta& delta, PreparedBodies prepared) {
   if (delta.replaced) return resend(world, std::move(prepared));
   if (delta.empty()) return;
@@ -485,7 +492,7 @@ void Renderer::follow(const World& world, const Delta& delta, PreparedBodies pre
     passes_.lines.forget(d.body);
   }
   passes_.scene.shadows().follow(delta);
-  if (delta.environment) place_ground(world);
+  if (delta.environment || adds_mesh_below_ground(world, delta)) place_ground(world);
   contact_old_ = true;
 }
 

@@ -41,7 +41,8 @@ class Renderer {
   void show(const World& world, const std::map<std::string, Paint>& paints, PreparedBodies prepared = {});
   // Updates the renderer after a change of the shown world; `world` is the state after the change. Adds,
   // removes and renames individual bodies; uploads changed faces with the next frame. Nothing is uploaded for
-  // a body that only moved. `prepared` may lack created bodies.
+  // a body that only moved. The ground follows that of the world, and is lowered below meshes that are added.
+  // `prepared` may lack created bodies.
   void follow(const World& world, const Delta& delta, PreparedBodies prepared = {});
   // Uploads every face of the world again, in case a Delta was lost. An id may denote another body than
   // before, unless it is a Body::loaded_as. `prepared` may lack bodies. Parts that were removed from split
@@ -139,6 +140,7 @@ class Renderer {
   explicit Renderer(Shaders& shaders);
 
   void place_ground(const World& world);
+  bool adds_mesh_below_ground(const World& world, const Delta& delta);
   void add(BodyId id, const Body& body, PreparedBodies& prepared);
   std::shared_ptr<const SurfaceTextures> textures_of(const Body& body);
   void drop(BodyId id);

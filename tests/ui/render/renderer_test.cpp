@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/made_meshes.h"
 #include "tests/ui/render/stage.h"
 
@@ -147,6 +149,21 @@ TEST(Renderer, lamps_keep_their_brightness_while_debris_flies_away) {
   stage.apply(MovePiece{{stage.world().ids().back(), 0}, {{0, 0, 300}, {1, 0, 0, 0}}});
   const Pixels after = stage.draw(view, options, kRenderWidth, kRenderHeight);
   EXPECT_EQ(test::difference(before, after).changed, 0);
+}
+
+TEST(Renderer, the_ground_hides_no_mesh_that_is_added_below_it) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+  test::Stage stage(std::move(world));
+  World larger = stage.world();
+  Delta delta;
+  delta.created = {
+      larger.add(make_body("added", test::build(test::moved(test::sphere(16, 24, 1), {2, -4, 0}, 1))))};
+  stage.renderer().follow(larger, delta);
+  const CameraView view = look_at({1, 3, 12}, {1, -2, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
+  const ShadowCounts counts = stage.renderer().shadow_counts(
+      larger, view, ViewOptions(), 0, ShadowMethod::kRobust, true, kRenderWidth, kRenderHeight);
+  EXPECT_GT(std::ranges::count_if(counts.faces, [](uint32_t mark) { return mark >> 24 == 2; }), 100);
 }
 
 TEST(Renderer, the_ghost_shows_only_removed_parts) {

@@ -28,6 +28,7 @@ void main() {
   int from = axis == 0 ? other << 1 : axis == 1 ? (other & 1) | (other & 2) << 1 : other;
   vec3 a = (frame_from_body * vec4(box_corner(from), 1.0)).xyz;
   vec3 b = (frame_from_body * vec4(box_corner(from | 1 << axis), 1.0)).xyz;
+  gl_ClipDistance[0] = dot(section, vec4(is_line_end(gl_VertexID % 6) ? b : a, 1.0));
   if (edge > 0 && is_speck()) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;

@@ -5,6 +5,7 @@ out vec4 colour;
 
 // Nearer to the eye than the surface that it covers.
 void main() {
+  gl_ClipDistance[0] = dot(section, vec4(position, 1.0));
   gl_Position = clip_from_frame * vec4(nearer(position), 1.0);
   colour = fill_colour;
 }

@@ -151,6 +151,30 @@ TEST(Renderer, lamps_keep_their_brightness_while_debris_flies_away) {
   EXPECT_EQ(test::difference(before, after).changed, 0);
 }
 
+TEST(Renderer, a_section_plane_hides_boxes_and_the_marks_of_a_stage) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  options.show.section = true;
+  options.section = SectionPlane{{0, -10, 0}, {0, 1, 0}};
+  const Pixels hidden = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  StageMarks marks;
+  StageMarks::OfBody& ball = marks.bodies.emplace_back();
+  ball.body = stage.world().ids().front();
+  ball.fills.push_back({{Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)}});
+  ball.lines.push_back({{-1, 0.5, 1}, {1, 0.5, 1}});
+  ball.lines.push_back({{-1, 0.2, 1}, {1, 0.2, 1}, 0, StageMarks::Kind::kLast});
+  options.stage = std::make_shared<StageMarks>(std::move(marks));
+  options.show.aabb = true;
+  EXPECT_EQ(stage.draw(view, options, kRenderWidth, kRenderHeight).rgb, hidden.rgb);
+  options.section->normal = {0, -1, 0};
+  const Pixels shown = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  options.stage = nullptr;
+  options.show.aabb = false;
+  const Pixels plain = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  EXPECT_GT(test::difference(shown, plain).changed, 0.01);
+}
+
 TEST(Renderer, the_ground_hides_no_mesh_that_is_added_below_it) {
   World world;
   world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));

@@ -254,10 +254,11 @@ void StagePass::draw(const Subject& subject) {
     }
   }
   gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
+  const SectionClip clip(subject.options);
   draw_fills(corners);
-  lines_.draw(lines, kEdgeHalfWidth);
+  lines_.draw(lines, kEdgeHalfWidth, ColouredLines::AtSection::kPart);
   state.set({.depth = GL_NONE, .blend = gl::kOver});
-  lines_.draw(last, kLastHalfWidth);
+  lines_.draw(last, kLastHalfWidth, ColouredLines::AtSection::kPart);
 }
 
 void StagePass::draw_fills(const std::vector<Corner>& corners) {

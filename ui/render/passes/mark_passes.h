@@ -48,7 +48,7 @@ class BodyPass {
 uint32_t colour_of(StageMarks::Kind kind);
 
 // Draws the effect of a stage of a cut: translucent faces and volumes, and lines around faces and boxes.
-// Surfaces occlude the marks, except for the last visited box.
+// Surfaces occlude the marks, except for the last visited box, and the section plane clips them.
 class StagePass {
  public:
   explicit StagePass(Shaders& shaders);

@@ -415,6 +415,7 @@ void LineOverlay::draw(BodyId id, const Body& body, const BodyPicture& picture, 
     gather(lines, body, frame, options, groups);
   const glm::mat4 from_body = space.from_body(body.placement, frame);
   const gl::ScopedState state({.writes_depth = false, .blend = gl::kOver});
+  const SectionClip clip(options);
   if (boxes) {
     lines.boxes.send(select_boxes(lines.all_boxes, clip_from_frame * from_body, kMaxBoxes), GL_DYNAMIC_DRAW);
     std::vector<BoxLine> path;
@@ -426,7 +427,6 @@ void LineOverlay::draw(BodyId id, const Body& body, const BodyPicture& picture, 
     draw_boxes(lines, from_body, options);
   }
   if (show.normals) {
-    const SectionClip clip(options);
     stick_.use();
     picture.looks().bind(stick_);
     lines.sticks.bind();

@@ -117,7 +117,9 @@ CutRemedies remedies(const LumpedCut& cut, double thickness, double speed) {
   KERF_ASSERT(thickness > 0 && speed > 0 && cut.kerf > 0 && cut.power > 0);
   const double reached = cut_thickness(cut, speed);
   if (reached >= thickness) return {speed, cut.power, cut.kerf};
-  return {cutting_speed(cut, thickness), cut.power * thickness / reached, widest_kerf(cut, thickness, speed)};
+  const double power =
+      reached > 0 ? cut.power * thickness / reached : std::numeric_limits<double>::infinity();
+  return {cutting_speed(cut, thickness), power, widest_kerf(cut, thickness, speed)};
 }
 
 }  // namespace kerf

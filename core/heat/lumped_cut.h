@@ -41,7 +41,7 @@ double conduction_loss(double peclet);
 // Changes each of which alone would make a failed cut succeed, by the lumped heat balance.
 struct CutRemedies {
   double speed = 0;  // m/s, slower; 0 if no speed in the range of the balance is slow enough
-  double power = 0;  // W, more
+  double power = 0;  // W, more; infinite if the sheet does not absorb the beam
   double kerf = 0;   // m, narrower; 0 if that alone does not suffice
 };
 

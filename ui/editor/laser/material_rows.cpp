@@ -521,7 +521,9 @@ std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit) {
   std::string text = "It would have cut through ";
   if (would.speed > 0)
     text += "at " + length_label(would.speed, unit) + "/s instead of " + length_label(crossing.speed, unit) +
-            "/s, ";
+            "/s";
+  if (!std::isfinite(would.power)) return would.speed > 0 ? text : "The sheet does not absorb this beam";
+  if (would.speed > 0) text += ", ";
   text += "with " + power_label(would.power) + " instead of " + power_label(laser.power);
   const double radius = 0.5 * would.kerf / crossing.met.slant;
   if (radius <= 0) return text + "; a smaller radius alone is not enough";

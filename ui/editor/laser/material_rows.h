@@ -138,7 +138,7 @@ std::string beam_text(const StrokeWatch::Now& now, FileUnit unit);
 
 // Settings with which a failed stroke would have cut through: "It would have cut through at 20 mm/s instead
 // of 80 mm/s, with 5.1 kW instead of 2 kW, or with a radius of 30 um instead of 100 um". Empty if it did,
-// also by the heat balance.
+// also by the heat balance. States if the sheet does not absorb the beam.
 std::string remedy_text(const StrokeWatch::Crossing& crossing, FileUnit unit);
 
 // Energy balance of all beams: "Emitted 1.2 kJ: 310 J absorbed, 220 J of it ejected".

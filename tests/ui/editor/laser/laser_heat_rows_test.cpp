@@ -68,6 +68,15 @@ TEST(StrokeRemedies, lists_the_sufficient_speed_power_and_radius) {
   EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre), "");
 }
 
+TEST(StrokeRemedies, include_no_power_if_the_sheet_absorbs_nothing) {
+  StrokeWatch::Crossing crossing;
+  crossing.settings.laser.radius = 1e-4;
+  crossing.met.sheet.substance.absorptivity_fibre = 0;
+  crossing.share = 0;
+  crossing.speed = 0.135;
+  EXPECT_EQ(remedy_text(crossing, FileUnit::kMetre), "The sheet does not absorb this beam");
+}
+
 TEST(StrokeDepth, is_shown_in_percent_if_the_beam_hit_something) {
   StepStatistics statistics;
   EXPECT_EQ(depth_text(statistics), "");

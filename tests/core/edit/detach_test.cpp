@@ -255,6 +255,31 @@ TEST(Detach, gives_the_piece_the_new_id_for_either_copied_side_and_undoes_exactl
   }
 }
 
+TEST(Detach, lists_the_faces_that_left_the_larger_side) {
+  for (const double x : {-0.3, 0.3}) {
+    for (const uint32_t label : {0u, 1u}) {
+      SCOPED_TRACE(std::to_string(x) + " label " + std::to_string(label));
+      World world = plate_in_two(x);
+      const BodyId first = world.ids().front();
+      const Mesh before = world.body(first).mesh;
+      Delta delta;
+      detach(world, {first, label}, 5, delta);
+      ASSERT_EQ(delta.created.size(), 1u);
+      ASSERT_EQ(delta.bodies.size(), 1u);
+      const BodyDelta& larger = delta.bodies.front();
+      EXPECT_NE(larger.body, delta.created.front());
+      const Mesh& after = world.body(larger.body).mesh;
+      std::vector<FaceId> left;
+      for (uint32_t f = 0; f < before.face_slots(); ++f) {
+        if (before.is_live(FaceId(f)) && !after.is_live(FaceId(f))) left.emplace_back(f);
+      }
+      EXPECT_FALSE(left.empty());
+      EXPECT_EQ(larger.dead, left);
+      EXPECT_TRUE(larger.added.empty() && larger.relabelled.empty());
+    }
+  }
+}
+
 TEST(Duplicate, adds_a_separate_body_with_the_same_faces) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     World world = cut_world(both(torus(14, 10, 0.5, 0.2), sphere(8, 10, 0.3)), seed);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/edit/body_edit.h"
+#include "core/edit/detach.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/piece_sums.h"
 #include "tests/support/real_meshes.h"
@@ -351,6 +352,89 @@ TEST(Separation, keeps_the_label_on_the_largest_part_if_it_has_fewer_faces) {
     EXPECT_EQ(body.pieces[0].faces, 2u * kCells * kColumn);
     EXPECT_EQ(body.pieces[1].faces, 2u * kCells * (kCells - kColumn - 1));
   }
+}
+
+// Removes a column of cells from a grid of 12 by 12 cells, the first faces of a body.
+void remove_grid_column(Body& body, uint32_t column) {
+  std::vector<FaceId> faces;
+  for (uint32_t row = 0; row < 12; ++row) {
+    const uint32_t first = 2 * (12 * row + column);
+    faces.insert(faces.end(), {FaceId(first), FaceId(first + 1)});
+  }
+  BodyEdit(body).remove(faces);
+}
+
+TEST(Separation, starts_one_front_at_each_face_when_it_searches_again) {
+  Body body = make_body("grid", build(grid(12, 1)));
+  std::vector<uint32_t> loaded;
+  label_components(body.mesh, loaded);
+  const OpenSearch& search = body.separation.search;
+  const auto settle_some = [&] {
+    settle(body, 20);
+    if (search.stage != OpenSearch::Stage::kGrow) return;
+    for (size_t i = 1; i < search.seed.size(); ++i) ASSERT_LT(search.seed[i - 1], search.seed[i]);
+  };
+  remove_grid_column(body, 8);
+  ASSERT_NO_FATAL_FAILURE(settle_some());
+  remove_grid_column(body, 2);
+  ASSERT_NO_FATAL_FAILURE(settle_some());
+  ASSERT_TRUE(search.restart_requested);
+  while (!is_settled(body)) ASSERT_NO_FATAL_FAILURE(settle_some());
+  expect_labels_of_the_full_search(body, loaded);
+  EXPECT_EQ(body.pieces.size(), 3u);
+}
+
+TEST(Separation, finishes_an_open_search_and_the_next_one_in_one_call) {
+  Body body = make_body("grid", build(grid(12, 1)));
+  std::vector<uint32_t> loaded;
+  label_components(body.mesh, loaded);
+  remove_grid_column(body, 8);
+  settle(body, 20);
+  ASSERT_FALSE(is_settled(body));
+  remove_grid_column(body, 2);
+  const SettleResult result = settle(body);
+  EXPECT_TRUE(is_settled(body));
+  EXPECT_EQ(result.new_pieces.size(), 2u);
+  EXPECT_EQ(result.relabelled.size(), 24u * (3 + 2)) << "the columns beyond each cut";
+  expect_labels_of_the_full_search(body, loaded);
+}
+
+// Two cuts along rows of cells, each but for a bridge whose removal starts a search with three or two fronts.
+TEST(Separation, visits_few_faces_of_the_larger_part_also_in_a_later_search) {
+  constexpr uint32_t kCells = 120, kMiddle = 60;
+  Body body = make_body("grid", build(grid(kCells, 1)));
+  const auto cut = [&](uint32_t row, const std::set<uint32_t>& bridge, uint32_t last) {
+    const uint32_t begin = 2 * kCells * row, middle = begin + 2 * kMiddle;
+    for (uint32_t f = begin; f < begin + 2 * kCells; ++f) {
+      if (!bridge.contains(f - middle)) remove_face(body, FaceId(f));
+    }
+    EXPECT_TRUE(settle(body, kNoLimit, EditPolicy::kNoEdits).new_pieces.empty());
+    remove_face(body, FaceId(middle + last));
+    return settle(body, kNoLimit, EditPolicy::kNoEdits);
+  };
+  EXPECT_EQ(cut(8, {0xffffffffu, 0, 1}, 0).relabelled.size(), 2u * kCells * 8 + 2);
+  const SettleResult result = cut(50, {0, 1}, 1);
+  ASSERT_EQ(result.relabelled.size(), 2u * kCells * 41);
+  EXPECT_LT(result.visited, result.relabelled.size() * 17 / 10);
+}
+
+TEST(JoinParts, adds_a_loaded_component_to_the_part_cut_off_that_it_joins) {
+  Body body = make_body("two", build(both(grid(12, 1), moved(grid(2, 0.1), {0, 1, 0}, 1))));
+  remove_grid_column(body, 8);
+  ASSERT_EQ(settle(body).new_pieces.size(), 1u);
+  move_components({}, body, std::map<uint32_t, uint32_t>{{1, 1}});
+  const FaceId cut_off(2 * 9), component(2 * 12 * 12);
+  ASSERT_EQ(body.label(cut_off), 1u);
+  ASSERT_EQ(body.label(component), 1u);
+  const FaceCounts former = body.whole_of(cut_off), added = body.whole_of(component);
+  EXPECT_EQ(former.faces, 24u * 3);
+  EXPECT_EQ(added.faces, 8u);
+  join_parts(body, cut_off, component);
+  for (const FaceId f : {cut_off, component}) {
+    EXPECT_EQ(body.whole_of(f).faces, former.faces + added.faces);
+    EXPECT_DOUBLE_EQ(body.whole_of(f).area, former.area + added.area);
+  }
+  EXPECT_EQ(body.components.left[1].faces, 0u);
 }
 
 }  // namespace

@@ -98,5 +98,23 @@ TEST_F(RegionAlongX, crosses_segments_at_zero_distance) {
   }
 }
 
+// A beam through the left corners of a triangle, and one across its sides to the right corner.
+TEST(ChordFails, if_an_edge_enters_the_region_again) {
+  const Vec3 down(0, -1, 0);
+  const Triangle t{Vec3(0), Vec3(0.9, 0, 0), Vec3(0, 0, 0.01)};
+  for (const bool again : {true, false}) {
+    SCOPED_TRACE(again);
+    StrokeRegion region;
+    for (uint32_t part = 0; part < (again ? 2u : 1u); ++part) {
+      const Pose still{Vec3(0.6 * part, 5, 0), down};
+      region.add(SweptCylinder(still, still, 0.05, {0, 10}));
+      region.record_near(FaceId(0), part);
+    }
+    std::array<double, 3> distances{};
+    for (size_t i = 0; i < 3; ++i) distances[i] = region.signed_distance(FaceId(0), t[i]);
+    EXPECT_EQ(chord_fails(region, FaceId(0), t, distances, 1e-3, 1e-4), again);
+  }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -389,6 +389,15 @@ TEST(KnifePath, cuts_along_its_corners) {
   expect_near(volumes(only_body(world)), {corner, 1 - corner});
 }
 
+TEST(KnifePath, cuts_along_its_corners_after_a_pose_within_a_straight_part) {
+  World world = solid_world(brick({1, 1, 1}));
+  const Delta delta =
+      cut(world, path_from_above({{0.3, -0.5}, {0.3, 0}, {0.3, 0.4}, {0.6, 0.7}, {1.5, 0.7}}));
+  ASSERT_TRUE(delta.left_open.empty()) << delta.left_open.front().why;
+  const double corner = 0.7 * 0.7 - 0.3 * 0.3 / 2;
+  expect_near(volumes(only_body(world)), {corner, 1 - corner});
+}
+
 TEST(KnifePath, cuts_pieces_that_touch_each_other) {
   World world = solid_world(brick({1, 1, 1}));
   for (const auto& line :

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 
+#include "core/cut/rim_stages_internal.h"
 #include "core/document/document.h"
 #include "core/world/world.h"
 #include "tests/support/made_meshes.h"
@@ -460,6 +463,67 @@ TEST(SmoothRim, measures_the_smallest_angle_of_all_faces_created) {
   }
   EXPECT_GT(largest, 0.5);
   EXPECT_EQ(closed->statistics.largest_cosine, largest);
+}
+
+TEST(SmoothRim, moves_the_nearest_vertices_first) {
+  CutSettings settings = smooth_settings(0.03, 0.0075);
+  const BeamMove stroke{{{-0.2, 1, 0}, {0, -1, 0}}, {{0.2, 1, 0.05}, {0, -1, 0}}};
+  World world = world_of(plate(1));
+  ASSERT_TRUE(cut_whole(world, settings, subdivide(stroke, settings.laser.radius, 2)).ok());
+  settings.faces_per_step = 1;
+  UnfinishedRim unfinished;
+  size_t waiting = 0;
+  do {
+    ASSERT_TRUE(rim_step(world, settings, {&stroke, 1}, {}, unfinished).ok());
+    waiting = std::max(waiting, unfinished.snaps.size());
+    EXPECT_TRUE(std::ranges::is_heap(unfinished.snaps, std::greater<>(), &RimSnap::share));
+  } while (unfinished.begun());
+  EXPECT_GT(waiting, 10u);
+}
+
+// The beam goes along z, over both borders, and nearly covers the two columns of cells beside x = 0.
+TEST(SmoothRim, slides_vertices_at_the_border_of_a_sheet_along_it) {
+  World world = world_of(grid(8, 1));
+  const CutSettings settings = smooth_settings(0.12, 1);
+  const BeamMove stroke{{{0, 1, -2}, {0, -1, 0}}, {{0, 1, 2}, {0, -1, 0}}};
+  ASSERT_TRUE(cut_whole(world, settings, {&stroke, 1}).ok());
+  ASSERT_TRUE(close_rim(world, settings, {&stroke, 1}).ok());
+  const Mesh& mesh = only_body(world).mesh;
+  EXPECT_NEAR(live_area(mesh), 1 - 0.24, 1e-9);
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_live(FaceId(f))) continue;
+    for (const Vec3& p : mesh.triangle(FaceId(f))) {
+      if (std::abs(p.x) < 0.13) EXPECT_NEAR(std::abs(p.x), 0.12, 1e-9) << "at z = " << p.z;
+    }
+  }
+}
+
+// A triangle whose corners lie on the boundary, far from the origin: the beam goes over it, or around it.
+TEST(RimState, judges_a_face_with_all_corners_on_the_boundary_by_its_middle) {
+  const Vec3 at(10, 0, 10), above(0, 5, 0), down(0, -1, 0);
+  for (const bool inside : {true, false}) {
+    SCOPED_TRACE(inside);
+    Soup soup;
+    soup.positions = {at + Vec3(0, 0, 0.5), at + Vec3(1, 0, 0.5), at + Vec3(0.5, 0, -0.5)};
+    soup.triangles = {{0, 1, 2}};
+    soup.triangles_in_file = soup.faces_in_file = 1;
+    World world = world_of(soup);
+    const CutSettings settings = smooth_settings(0.5, 1);
+    BodyStep step(world.ids()[0], only_body(world));
+    UnfinishedRim work;
+    RimState rim(step, settings, work);
+    const auto add = [&](const Vec3& from, const Vec3& to) {
+      rim.region.record_near(FaceId(0), static_cast<uint32_t>(rim.region.parts()));
+      rim.region.add(SweptCylinder({at + above + from, down}, {at + above + to, down}, 0.5, {0, 10}));
+    };
+    if (inside) {
+      add({0, 0, 0}, {1, 0, 0});
+    } else {
+      for (const Vec3& p : {Vec3(-0.5, 0, 0.5), Vec3(1.5, 0, 0.5), Vec3(0.5, 0, -1)}) add(p, p);
+    }
+    EXPECT_EQ(rim.distances_of(FaceId(0)), (std::array<double, 3>{0, 0, 0}));
+    EXPECT_EQ(rim.inside(FaceId(0)), inside);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/deterministic_math.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -89,6 +92,74 @@ TEST_F(BurnTest, waits_within_the_waist_of_its_focus) {
   EXPECT_TRUE(burn.any_waiting());
   EXPECT_GT(burn.waiting_within(), 1.5 * settings_.laser.radius);
   EXPECT_LT(burn.waiting_within(), 1.01 * kBundleReach * settings_.laser.radius);
+}
+
+// A tenth of a metre before the upper sheet lies the waist of a beam without a wavelength of its own.
+TEST_F(BurnTest, widens_by_the_wavelength_of_the_first_body) {
+  Substance& substance = world_.body(bodies_[0].id).sheet.substance;
+  substance.wavelength = 10.6e-6;
+  settings_.laser.radius = 2e-4;
+  settings_.laser.focus = 0.8;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return false; });
+  burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 1e9);
+  EXPECT_TRUE(burn.any_waiting());
+  const double rayleigh = kPi * settings_.laser.radius * settings_.laser.radius / substance.wavelength;
+  const double widened = settings_.laser.radius * std::hypot(1, 0.1 / rayleigh);
+  EXPECT_GT(burn.waiting_within(), 1.5 * widened);
+  EXPECT_LT(burn.waiting_within(), 1.01 * kBundleReach * widened);
+}
+
+// However many rays met each of them.
+TEST_F(BurnTest, shares_the_heat_of_burning_among_the_faces_hit_by_area) {
+  Body& body = world_.body(bodies_[0].id);
+  const Sheet& sheet = body.sheet;
+  const double of_area = sheet.thickness * sheet.substance.density * enthalpy_at(sheet.substance, 1400);
+  std::vector<double> cold, hit, area;
+  const auto energies = [&] {
+    std::vector<double> all;
+    for (uint32_t f = 0; f < body.mesh.face_slots(); ++f)
+      all.push_back(body.heat.energy_of(body.mesh, FaceId(f)));
+    return all;
+  };
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    area.push_back(triangle_area(body.mesh.triangle(FaceId(f))));
+    body.heat.set_energy(body.mesh, FaceId(f), of_area * area.back());
+  }
+  settings_.laser.assist = Assist::kOxygen;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
+  cold = energies();
+  burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 1e-3);
+  hit = energies();
+  burn.burn(1e-10, 0.01);
+  const std::vector<double> burnt = energies();
+  double area_hit = 0;
+  for (size_t f = 0; f < area.size(); ++f) area_hit += hit[f] > cold[f] ? area[f] : 0;
+  const double all = world_.energy().burnt;
+  ASSERT_GT(area_hit, 2 * area[0]);
+  ASSERT_GT(all, 0);
+  for (size_t f = 0; f < area.size(); ++f) {
+    const double share = hit[f] > cold[f] ? area[f] / area_hit : 0;
+    EXPECT_NEAR(burnt[f] - hit[f], share * all, 1e-8 * all) << "face " << f;
+  }
+}
+
+TEST_F(BurnTest, ignites_at_the_ignition_temperature) {
+  Body& body = world_.body(bodies_[0].id);
+  const Sheet& sheet = body.sheet;
+  const double of_area = sheet.thickness * sheet.substance.density * enthalpy_at(sheet.substance, kKindling);
+  // The nearest energy at which the face has just this temperature.
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    double joules = of_area * triangle_area(body.mesh.triangle(FaceId(f))) * (1 - 1e-15);
+    do {
+      joules = std::nextafter(joules, 1e9);
+      body.heat.set_energy(body.mesh, FaceId(f), joules);
+    } while (body.heat.temperature(body.mesh, FaceId(f), sheet.substance, sheet.thickness) < kKindling);
+  }
+  settings_.laser.assist = Assist::kOxygen;
+  Burn burn(world_, settings_, bodies_, 1, [](size_t, FaceId) { return true; });
+  burn.emit({Vec3(0.0011, 1, 0.0007), Vec3(0, -1, 0)}, 1e-200);
+  burn.burn(1e-10, 0.01);
+  EXPECT_GT(world_.energy().burnt, 0);
 }
 
 }  // namespace

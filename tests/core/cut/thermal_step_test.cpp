@@ -161,6 +161,27 @@ TEST(ThermalStep, reports_exposure_time_and_penetration_depth_per_face) {
   EXPECT_NEAR(both.depth_s, cut(4000, {across(-0.04, -0.03, 0.5)}).depth_s, 0.5 * 0.02);
 }
 
+// Only the outer rays meet the plate, whose faces there are not split before. All faces have the energy that
+// removes a strip of them as wide as the kerf, so the rays wait; then that is a share of what the parts need.
+TEST(ThermalStep, counts_the_depth_in_faces_that_are_split_for_waiting_rays) {
+  constexpr double kBeam = 0.002, kCell = 0.1 / 8, kShare = 2 * kBeam / kCell;
+  World world = plates({0});
+  Body& body = world.body(world.ids()[0]);
+  const double of_area =
+      body.sheet.thickness * body.sheet.substance.density * enthalpy_of_removal(body.sheet.substance);
+  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
+    const double area = triangle_area(body.mesh.triangle(FaceId(f)));
+    body.heat.set_energy(body.mesh, FaceId(f), kShare * of_area * area);
+  }
+  BeamMove move = drill(1e-6);
+  move.from.origin.x = move.to.origin.x = 0.05 + 1.55 * kBeam;
+  const auto cut = cut_whole(world, thermal(kBeam, 2000), {&move, 1});
+  ASSERT_TRUE(cut.ok());
+  EXPECT_GT(cut->statistics.faces_made, 0u);
+  EXPECT_NEAR(cut->statistics.met_s, move.seconds, 1e-15);
+  EXPECT_NEAR(cut->statistics.depth_s, kShare * move.seconds, 0.01 * move.seconds);
+}
+
 TEST(ThermalStep, pierces_the_first_wall_before_it_heats_the_second) {
   const CutSettings settings = thermal(0.001, 3000);
   bool shielded = false, pierced = false;

@@ -164,14 +164,14 @@ TEST(ThermalStep, reports_exposure_time_and_penetration_depth_per_face) {
 // Only the outer rays meet the plate, whose faces there are not split before. All faces have the energy that
 // removes a strip of them as wide as the kerf, so the rays wait; then that is a share of what the parts need.
 TEST(ThermalStep, counts_the_depth_in_faces_that_are_split_for_waiting_rays) {
-  constexpr double kBeam = 0.002, kCell = 0.1 / 8, kShare = 2 * kBeam / kCell;
+  constexpr double kBeam = 0.002, kCell = 0.1 / 8, kPart = 2 * kBeam / kCell;
   World world = plates({0});
   Body& body = world.body(world.ids()[0]);
   const double of_area =
       body.sheet.thickness * body.sheet.substance.density * enthalpy_of_removal(body.sheet.substance);
   for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
     const double area = triangle_area(body.mesh.triangle(FaceId(f)));
-    body.heat.set_energy(body.mesh, FaceId(f), kShare * of_area * area);
+    body.heat.set_energy(body.mesh, FaceId(f), kPart * of_area * area);
   }
   BeamMove move = drill(1e-6);
   move.from.origin.x = move.to.origin.x = 0.05 + 1.55 * kBeam;
@@ -179,7 +179,7 @@ TEST(ThermalStep, counts_the_depth_in_faces_that_are_split_for_waiting_rays) {
   ASSERT_TRUE(cut.ok());
   EXPECT_GT(cut->statistics.faces_made, 0u);
   EXPECT_NEAR(cut->statistics.met_s, move.seconds, 1e-15);
-  EXPECT_NEAR(cut->statistics.depth_s, kShare * move.seconds, 0.01 * move.seconds);
+  EXPECT_NEAR(cut->statistics.depth_s, kPart * move.seconds, 0.01 * move.seconds);
 }
 
 TEST(ThermalStep, pierces_the_first_wall_before_it_heats_the_second) {

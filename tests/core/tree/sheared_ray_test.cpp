@@ -56,6 +56,31 @@ TEST(ShearedRay, crosses_a_triangle_at_the_same_length_in_any_orientation) {
   }
 }
 
+// A line through corners with small integer coordinates passes through the origin or farther from it than the
+// displaced ray does.
+TEST(ShearedRay, breaks_ties_as_if_displaced_along_one_axis_and_less_along_the_next) {
+  Random random(13);
+  size_t crossed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Triangle t;
+    for (Vec3& p : t) {
+      for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(random.below(7)) - 3;
+    }
+    for (int along = 0; along < 3; ++along) {
+      const int first = kNextAxis[along], second = kNextAxis[first];
+      Vec3 direction(0), displaced(0);
+      direction[along] = i % 2 == 0 ? 1 : -1;
+      displaced[first] = 0x1p-10;
+      displaced[second] = 0x1p-20;
+      const bool expected = ShearedRay({displaced, direction}).cross(t).has_value();
+      EXPECT_EQ(ShearedRay({Vec3(0), direction}).cross(t).has_value(), expected)
+          << "triangle " << i << " of seed 13 along axis " << along;
+      crossed += expected;
+    }
+  }
+  EXPECT_GT(crossed, 100u);
+}
+
 TEST(ShearedRay, misses_a_triangle_it_sees_as_a_point) {
   const Triangle t{Vec3(1, 0, 1), Vec3(1, 3, 1), Vec3(1, 5, 1)};
   EXPECT_FALSE(ShearedRay({{0, -9, 0}, {0, 1, 0}}).cross(t));

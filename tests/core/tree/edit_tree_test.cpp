@@ -362,6 +362,26 @@ TEST(TreeEdits, finds_moved_faces_after_a_refit) {
   }
 }
 
+// The far rays err by more than floats do: rounding decides which of two neighbours each of them crosses.
+TEST(TreeEdits, parallel_rays_from_near_and_far_equal_brute_force) {
+  constexpr double kFar = 1e12;
+  const Edited e(sphere(9, 14, 0.5));
+  const Interval range{0, 4 * kFar};
+  Random random(95);
+  for (uint32_t f = 0; f < e.mesh.face_slots(); ++f) {
+    const Triangle t = e.mesh.triangle(FaceId(f));
+    const Vec3 target = 0.5 * t[0] + 0.5 * t[1], axis = random_direction(random);
+    const std::vector<Pose> rays{{target - 2.0 * axis, axis}, {target - kFar * axis, axis}};
+    for (const AabbTree& tree : e.trees) {
+      std::vector<std::vector<RayHit>> found(rays.size());
+      tree.crossings(e.mesh, rays, range, found);
+      for (size_t r = 0; r < rays.size(); ++r)
+        ASSERT_EQ(found[r], brute_crossings(e.mesh, rays[r], range))
+            << "face " << f << " of seed 95, ray " << r;
+    }
+  }
+}
+
 TEST(TreeEdits, reported_bytes_grow_with_the_tree) {
   const Edited small(grid(4, 1)), large(grid(40, 1));
   EXPECT_GT(small.best().bytes(), 32 * small.best().leaf_count());

@@ -63,6 +63,25 @@ TEST(TreeStatistics, cost_is_the_mean_number_of_boxes_that_random_lines_meet) {
   EXPECT_LT(statistics.overlap(), statistics.cost());
 }
 
+TEST(TreeStatistics, overlap_is_the_relative_area_of_the_intersections_of_siblings) {
+  const Mesh mesh = build(sphere(12, 16, 1)).mesh;
+  const AabbTree tree(mesh);
+  const std::vector<AabbTree::Box> boxes = boxes_of(tree, mesh);
+  const auto half_area = [](const Vec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; };
+  double sum = 0;
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    // Earlier boxes of the same depth, back to the parent.
+    for (size_t j = i; j-- > 0 && boxes[j].depth >= boxes[i].depth;) {
+      if (boxes[j].depth > boxes[i].depth) continue;
+      const Vec3 shared = glm::min(boxes[i].max, boxes[j].max) - glm::max(boxes[i].min, boxes[j].min);
+      if (std::min({shared.x, shared.y, shared.z}) >= 0) sum += half_area(shared);
+    }
+  }
+  const double expected = sum / half_area(boxes.front().max - boxes.front().min);
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(tree_statistics(tree, mesh).overlap(), expected, 1e-9 * expected);
+}
+
 TEST(TreeStatistics, count_every_box_and_the_faces_that_splits_made) {
   BuiltMesh built = build(grid(8, 1));
   Mesh& mesh = built.mesh;
@@ -111,6 +130,30 @@ TEST(PathTo, leads_from_the_root_to_the_box_of_the_face) {
   }
   tree.remove(FaceId(3));
   EXPECT_TRUE(tree.path_to(mesh, FaceId(3)).empty());
+}
+
+TEST(PathTo, begins_at_the_root_after_its_only_child_replaced_it) {
+  const Mesh mesh = build(sphere(10, 12, 1)).mesh;
+  AabbTree tree(mesh);
+  FaceId deepest(0);
+  for (uint32_t f = 1; f < mesh.face_slots(); ++f) {
+    if (tree.path_to(mesh, FaceId(f)).size() > tree.path_to(mesh, deepest).size()) deepest = FaceId(f);
+  }
+  const std::vector<AabbTree::Box> before = tree.path_to(mesh, deepest);
+  ASSERT_GE(before.size(), 4u) << "the root, a node, a block and the face";
+  std::vector<FaceId> elsewhere;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    const AabbTree::Box below_root = tree.path_to(mesh, FaceId(f))[1];
+    if (below_root.min != before[1].min || below_root.max != before[1].max) elsewhere.emplace_back(f);
+  }
+  for (const FaceId f : elsewhere) tree.remove(f);
+  const std::vector<AabbTree::Box> after = tree.path_to(mesh, deepest);
+  ASSERT_EQ(after.size(), before.size() - 1);
+  for (size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].min, before[i + 1].min) << i;
+    EXPECT_EQ(after[i].max, before[i + 1].max) << i;
+    EXPECT_EQ(after[i].depth, static_cast<int>(i));
+  }
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::pair<double, double> sampled(const Scene& s, int grid, int moments) {
 
 TEST(SweptCylinder, matches_sampling_for_a_translating_beam) {
   Random random(11);
-  int touched = 0, missed = 0;
+  int touched = 0, missed = 0, contained = 0;
   for (int i = 0; i < 3000; ++i) {
     const Scene s = random_scene(random, false);
     const SweptCylinder beam(s.from, s.to, s.radius, s.range);
@@ -78,9 +78,15 @@ TEST(SweptCylinder, matches_sampling_for_a_translating_beam) {
       ++missed;
     }
     if (beam.contains(s.triangle)) EXPECT_LE(farthest, s.radius * (1 + 1e-12) + spacing) << "scene " << i;
+    // The corners are among the samples, and a sampled distance is never too small.
+    if (farthest <= s.radius * (1 - 1e-9)) {
+      EXPECT_TRUE(beam.contains(s.triangle)) << "scene " << i;
+      ++contained;
+    }
   }
   EXPECT_GT(touched, 300);
   EXPECT_GT(missed, 300);
+  EXPECT_GT(contained, 10);
 }
 
 TEST(SweptCylinder, never_misses_when_moving_along_its_axis_or_tilting) {

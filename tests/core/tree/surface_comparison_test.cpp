@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/base/deterministic_math.h"
@@ -86,9 +87,11 @@ TEST(SurfaceComparison, has_the_sign_of_the_side_of_a_sphere) {
       EXPECT_NEAR(found.max, apart, 1e-12);
       EXPECT_NEAR(found.signed_by->mean, found.mean, 1e-12);
       EXPECT_GT(found.signed_by->min, 0);
+      EXPECT_EQ(found.signed_by->max, found.max) << "that of a corner, not of a sample";
     } else {
       EXPECT_NEAR(found.signed_by->mean, -found.mean, 1e-12);
       EXPECT_LT(found.signed_by->max, 0);
+      EXPECT_EQ(found.signed_by->min, -found.max);
     }
     const auto& bins = found.signed_by->histogram;
     EXPECT_EQ(std::accumulate(bins.begin(), bins.end(), size_t{0}), SurfaceComparison::kSamples);
@@ -134,6 +137,49 @@ TEST(SurfaceAlignment, recovers_a_rigid_motion) {
     const RigidMotion motion = random_motion(random, kPi, 20);
     const SurfaceComparison found = compare(lopsided(), turned(lopsided(), motion), Alignment::kIcp);
     EXPECT_LT(found.max, 1e-9);
+  }
+}
+
+// The largest distance of a corner from that of the other soup after their alignment.
+double apart_after_alignment(const Soup& a, const Soup& b) {
+  const Compared one(a), other(b);
+  const RigidMotion found = *align_surfaces(one.surface(), other.surface(), Alignment::kIcp, nullptr);
+  double farthest = 0;
+  for (size_t i = 0; i < a.positions.size(); ++i)
+    farthest = std::max(farthest, glm::distance(found.apply(a.positions[i]), b.positions[i]));
+  return farthest;
+}
+
+// With its faces in another order, a surface has other samples, so that the motion must be refined.
+TEST(SurfaceAlignment, recovers_a_rigid_motion_from_other_samples_of_the_same_surface) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Soup part = lopsided();
+    std::ranges::reverse(part.triangles);
+    EXPECT_LT(apart_after_alignment(part, turned(lopsided(), random_motion(random, kPi, 20))), 1e-9);
+  }
+}
+
+// Twelve plates around an axis, each longer than the one before.
+Soup paddles() {
+  constexpr int kPaddles = 12;
+  Soup soup;
+  for (int i = 0; i < kPaddles; ++i) {
+    const RigidMotion turn{axis_angle({0, 0, 1}, 2 * kPi * i / kPaddles), Vec3(0)};
+    soup = both(soup, turned(moved(brick({1, 0.05, 1 + 0.1 * i}), {1, 0, 0}, 1), turn));
+  }
+  return soup;
+}
+
+// Wherever a plate lies on another one, the distances have a local minimum: the start must be near.
+TEST(SurfaceAlignment, starts_from_the_principal_axes_of_both_surfaces) {
+  for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Soup part = turned(paddles(), random_motion(random, kPi, 5)),
+               whole = turned(paddles(), random_motion(random, kPi, 5));
+    EXPECT_LT(apart_after_alignment(part, whole), 1e-9);
   }
 }
 

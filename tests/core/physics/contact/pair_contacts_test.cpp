@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/physics/contact/contact.h"
 #include "tests/core/physics/moving_sheets.h"
@@ -36,6 +37,20 @@ TEST(PairContacts, found_from_the_second_body_lie_on_the_first_and_push_it) {
   for (const Contact& c : found) EXPECT_NEAR(c.normal.y, 1, 1e-9);
   EXPECT_TRUE(memory.points_of_first.empty());
   EXPECT_EQ(memory.points_of_second.size(), 4u);
+}
+
+TEST(PairContacts, of_intersecting_sheets_forget_their_points) {
+  const glm::dquat standing(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.5, 0.5, 4), {0.05, 0.23, 0}, standing);  // reaches 0.02 m through the other
+  sheets.add(test::rectangle(4, 4, 2), {0, 0, 0.01});
+  const std::vector<MovingBody>& bodies = sheets.bodies();
+  PairMemory memory{bodies[0].id, bodies[1].id, {{1, {0, 1, 0}}}, {{2, {0, 1, 0}}}, {}};
+  memory.crossed = 1;
+  EXPECT_EQ(find_contacts(bodies[0], bodies[1], kContactLengths, memory).size(), 1u)
+      << "which pushes them out";
+  EXPECT_TRUE(memory.points_of_first.empty());
+  EXPECT_TRUE(memory.points_of_second.empty());
 }
 
 TEST(PairContacts, reuse_impulses_of_the_last_tick_by_feature) {

@@ -78,6 +78,28 @@ TEST_F(PlateOverSheet, pushes_aside_a_body_too_light_to_stop_it) {
   EXPECT_NEAR(height(), 0.1 - 0.15, 1e-9);
 }
 
+// On their full ways, only the lower plate passes through the sheet; where it is held back, the upper one
+// would pass through it.
+TEST(LimitPenetration, limits_a_body_that_follows_a_limited_one) {
+  test::MovingSheets sheets;
+  sheets.add(test::rectangle(0.4, 0.4, 2), {0, 0.1, 0});
+  sheets.add(test::rectangle(4, 4, 2), {0.03, 0, 0.01});
+  sheets.add(test::rectangle(0.4, 0.4, 2), {0.05, 0.12, 0.02});
+  sheets.body(1).pinned = true;
+  sheets.body(0).motion.velocity = {0, -0.15 / kTick, 0};
+  sheets.body(2).motion.velocity = {0, -0.11 / kTick, 0};
+  const Environment around;
+  const ContactMemory before;
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  EXPECT_FALSE(pass_through(bodies[0], bodies[2]));
+  ContactSearch search(bodies, {}, around, before);
+  search.find();
+  sheets.move_on();
+  EXPECT_EQ(limit_penetration(bodies, search), 2u);
+  EXPECT_FALSE(pass_through(bodies[0], bodies[1]) || pass_through(bodies[0], bodies[2]));
+  EXPECT_GT(sheets.body(2).placement.position.y, sheets.body(0).placement.position.y);
+}
+
 TEST(LimitPenetration, limits_a_body_that_meets_two_others_only_once) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 0.4, 4), {0, 0.1, 0});

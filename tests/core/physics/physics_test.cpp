@@ -115,6 +115,30 @@ TEST(Tick, ignores_a_body_without_faces) {
   EXPECT_EQ(world.body(empty).placement.position, Vec3(0, 1.1, 0));
 }
 
+// Returns true if a plate with a diagonal of this length [m] turns after a tick that it began with this spin.
+bool still_turns(double diagonal, double spin, bool touched) {
+  World world;
+  const BodyId id = test::add(world, test::rectangle(0.6 * diagonal, 0.8 * diagonal, 2), Vec3(0));
+  world.body(id).motion.spin = {0, spin, 0};
+  PairMemory on_ground{id, BodyId{}, {}, {}, {}};
+  on_ground.touching = touched;
+  world.set_contact_memory({on_ground});
+  Physics physics;
+  physics.tick(world);
+  return world.body(id).motion.spin != Vec3(0);
+}
+
+// The spin [rad/s] decreases by 0.7 times gravity over the diagonal in a second.
+TEST(Tick, brakes_the_spin_of_a_body_that_touched) {
+  for (const double diagonal : {1.0, 0.5}) {
+    SCOPED_TRACE(diagonal);
+    const double lost = 0.7 * 9.81 / diagonal * kTick;
+    EXPECT_FALSE(still_turns(diagonal, 0.97 * lost, true));
+    EXPECT_TRUE(still_turns(diagonal, 1.03 * lost, true));
+    EXPECT_TRUE(still_turns(diagonal, 0.97 * lost, false));
+  }
+}
+
 // Many more vertices than the points by which bodies touch each other.
 TEST(Fall, a_curved_body_rests_on_its_lowest_vertices) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {

@@ -49,6 +49,20 @@ TEST_F(CrossedEdges, are_found_within_reach_and_farther_if_approaching) {
   }
 }
 
+TEST(ChordContacts, need_an_angle_with_a_squared_sine_above_a_thousandth) {
+  for (const double degrees : {1.7, 2.2}) {
+    SCOPED_TRACE(degrees);
+    const glm::dquat turned = glm::angleAxis(degrees * 3.14159265358979 / 180, Vec3(0, 1, 0)) * kUpright;
+    test::MovingSheets sheets;
+    sheets.add(test::rectangle(1, 1, 1), {0, 0.504, 0}, kUpright);
+    sheets.add(test::rectangle(1, 1, 1), {0, -0.5, 0}, turned);
+    const std::vector<MovingBody>& bodies = sheets.bodies();
+    std::vector<Contact> found;
+    find_chord_contacts(bodies[0], bodies[1], kContactLengths, found);
+    EXPECT_EQ(found.size(), degrees > 2 ? 1u : 0u);
+  }
+}
+
 TEST(ChordContacts, ignore_parallel_edges) {
   test::MovingSheets sheets;
   sheets.add(test::rectangle(1, 1, 1), {0, 0.504, 0}, kUpright);

@@ -73,6 +73,27 @@ TEST(ChordPoints, at_an_oblique_rim_separate_in_the_plane_of_the_face) {
   }
 }
 
+// A plate falls onto the rim of a standing one, which two of its edges cross at this share of their length.
+TEST(ChordPoints, at_a_rim_lie_where_their_chord_passes_it) {
+  constexpr double kWidth = 0.4, kPlaces = 4096;  // along a chord
+  for (const double share : {0.0001, 0.3, 0.9999}) {
+    SCOPED_TRACE(share);
+    test::MovingSheets sheets;
+    sheets.add(test::rectangle(kWidth, 0.4, 1), {kWidth * (0.5 - share), 0.01, 0.3});
+    const glm::dquat standing(std::sqrt(0.5), 0, 0, std::sqrt(0.5));  // in x = 0
+    sheets.add(test::rectangle(0.4, 2, 1), {0, -0.2, 0}, standing);
+    sheets.body(0).motion.velocity = Vec3(0, -0.02, 0) / kTick;
+    const std::vector<MovingBody>& bodies = sheets.bodies();
+    std::vector<PointMemory> memory;
+    EXPECT_TRUE(remember_piercing_points(bodies[0], bodies[1], memory));
+    EXPECT_EQ(memory.size(), 2u);
+    for (const PointMemory& m : memory) {
+      ASSERT_TRUE(is_at_rim(m.point));
+      EXPECT_NEAR(bodies[0].next(point_of(*bodies[0].collider, m.point).at).x, 0, 1.001 * kWidth / kPlaces);
+    }
+  }
+}
+
 TEST(ChordPoints, have_distinct_ids_from_collider_points) {
   EXPECT_FALSE(is_on_chord(5));
   EXPECT_TRUE(is_on_chord(kOnChord | 5));

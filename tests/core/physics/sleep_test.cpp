@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "core/base/ids.h"
 #include "tests/core/physics/moving_sheets.h"
@@ -81,6 +82,14 @@ TEST_F(QuietRow, wakes_bodies_in_contact_before_they_fell_asleep) {
   EXPECT_EQ(awake(false), "23");
 }
 
+TEST_F(QuietRow, does_not_wake_bodies_that_were_only_near) {
+  for (uint32_t i = 0; i < 5; ++i) sheets_.body(i).motion.asleep = true;
+  const auto ids = sheets_.world.ids();
+  memory_ = {PairMemory{ids[2], ids[3], {}, {}, {}}};
+  sheets_.body(2).motion.quiet = 0;
+  EXPECT_EQ(awake(false), "2");
+}
+
 // The first is restless, and wakes the second if it touches it before the tick is over. They are 3 mm apart,
 // and quiet speeds close that gap within a tick only if both go towards each other.
 TEST_F(QuietRow, wakes_bodies_that_come_near_within_the_tick) {
@@ -100,9 +109,9 @@ TEST_F(QuietRow, wakes_bodies_that_come_near_within_the_tick) {
 }
 
 // Whether a tick at this speed and spin counts as quiet.
-bool is_quiet(double speed, double spin, bool on_hinge = false, uint32_t crossed = 0) {
+bool is_quiet(double speed, double spin, bool on_hinge = false, uint32_t crossed = 0, double size = 1) {
   test::MovingSheets sheets;
-  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), {0, 0.2 * i, 0});
+  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(size, size, 1), {0, 0.2 * i, 0});
   sheets.body(0).motion.velocity = {speed, 0, 0};
   sheets.body(0).motion.spin = {0, spin, 0};
   sheets.body(0).motion.quiet = 7;
@@ -121,6 +130,14 @@ TEST(Quiet, means_speeds_below_both_limits) {
   EXPECT_FALSE(is_quiet(0.41, 0));
   EXPECT_TRUE(is_quiet(0, 0.99));
   EXPECT_FALSE(is_quiet(0, 1.01));
+}
+
+// The limit is that at which its corners move at 0.4 m/s.
+TEST(Quiet, permits_a_small_body_to_spin_faster) {
+  constexpr double kSize = 0.1;
+  const double limit = 0.4 / (kSize * std::sqrt(0.5));
+  EXPECT_TRUE(is_quiet(0, 0.99 * limit, false, 0, kSize));
+  EXPECT_FALSE(is_quiet(0, 1.01 * limit, false, 0, kSize));
 }
 
 TEST(Quiet, is_stricter_on_a_hinge_and_impossible_while_pushed_out) {

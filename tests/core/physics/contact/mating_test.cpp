@@ -153,16 +153,33 @@ TEST(Mating, ends_when_a_body_becomes_a_sheet) {
   EXPECT_TRUE(physics.colliders().at(box).wall_corners.empty());
 }
 
-// Two sheets with the corners of walls that face each other.
-TEST(Mating, of_seated_walls_forgets_points) {
-  test::MovingSheets sheets;
-  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), Vec3(0));
-  std::vector<MovingBody>& bodies = sheets.bodies();
+// The colliders of two sheets with the corners of walls that face each other, those of the second along +Y.
+std::array<Collider, 2> colliders_with_walls(const std::vector<MovingBody>& bodies) {
   std::array<Collider, 2> colliders{*bodies[0].collider, *bodies[1].collider};
   for (const Vec3& at : {Vec3(-0.5, 0, -0.5), Vec3(-0.5, 0, 0.5), Vec3(0.5, 0, -0.5), Vec3(0.5, 0, 0.5)}) {
     colliders[0].wall_corners.push_back({at, {0, -1, 0}});
     colliders[1].wall_corners.push_back({at, {0, 1, 0}});
   }
+  return colliders;
+}
+
+TEST(Mating, counts_the_first_body_as_moved_off_the_walls_of_a_turned_one) {
+  const glm::dquat turned = glm::normalize(glm::dquat(1, 0.3, -0.5, 0.7));
+  test::MovingSheets sheets;
+  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), Vec3(0), turned);
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  const std::array<Collider, 2> colliders = colliders_with_walls(bodies);
+  for (size_t i = 0; i < 2; ++i) bodies[i].collider = &colliders[i];
+  const PairGeometry pair(bodies[0], bodies[1]);
+  const Vec3 off = pair.first().now.shift - bodies[0].now.shift;
+  EXPECT_NEAR(glm::distance(off, turned * Vec3(0, kContactLengths.skin, 0)), 0, 1e-12);
+}
+
+TEST(Mating, of_seated_walls_forgets_points) {
+  test::MovingSheets sheets;
+  for (int i = 0; i < 2; ++i) sheets.add(test::rectangle(1, 1, 1), Vec3(0));
+  std::vector<MovingBody>& bodies = sheets.bodies();
+  const std::array<Collider, 2> colliders = colliders_with_walls(bodies);
   for (size_t i = 0; i < 2; ++i) bodies[i].collider = &colliders[i];
   PairMemory memory{bodies[0].id, bodies[1].id, {{1, {0, 1, 0}}}, {{2, {0, 1, 0}}}, {}};
   const std::vector<Contact> contacts = PairGeometry(bodies[0], bodies[1]).contacts(memory);

@@ -122,5 +122,22 @@ TEST(BuildMesh, ignores_the_sign_of_zero) {
   EXPECT_EQ(build(twin).report.vertices, build(soup).report.vertices);
 }
 
+// Two boxes with a common edge behind another part, so that no side of theirs is the first.
+TEST(BuildMesh, gives_closed_parts_at_a_common_edge_edges_of_their_own) {
+  const Soup boxes = both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 1, 0}, 1));
+  const BuiltMesh built = build(both(moved(sphere(4, 6, 1), {9, 0, 0}, 1), boxes));
+  EXPECT_EQ(built.report.non_manifold_edges, 1u);
+  EXPECT_EQ(built.report.boundary_edges, 0u);
+  EXPECT_EQ(find_fault(built.mesh), "");
+  std::vector<SheetSide> sides;
+  append_sheet_sides_in(built.mesh, 0, built.mesh.edge_slots(), sides);
+  EXPECT_TRUE(sides.empty());
+}
+
+TEST(BuildMesh, counts_boundary_edges) {
+  for (const int cells : {1, 5})
+    EXPECT_EQ(build(grid(cells, 1)).report.boundary_edges, 4 * static_cast<size_t>(cells));
+}
+
 }  // namespace
 }  // namespace kerf::test

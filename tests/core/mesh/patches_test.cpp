@@ -47,5 +47,12 @@ TEST(Patches, with_inconsistent_winding_are_not_closed) {
   EXPECT_FALSE(Welded(ball).patches.closed[0]);
 }
 
+// Two boxes.
+TEST(Patches, of_closed_parts_with_a_common_edge_are_closed) {
+  const Welded boxes(both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 1, 0}, 1)));
+  EXPECT_EQ(boxes.patches.closed, (std::vector<bool>{true, true}));
+  EXPECT_EQ(boxes.components(), 1u);
+}
+
 }  // namespace
 }  // namespace kerf::test

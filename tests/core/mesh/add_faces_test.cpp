@@ -366,5 +366,24 @@ TEST(SheetSides, have_no_face_across_on_their_sheet) {
   }
 }
 
+TEST(ExtractMesh, keeps_the_rings_of_sheets_with_a_common_edge) {
+  const Soup ball = sphere(4, 6, 1);
+  const Mesh mesh = build(both(ball, moved(book(5), {9, 0, 0}, 1))).mesh;
+  const auto first = static_cast<uint32_t>(ball.triangles.size());
+  std::vector<FaceId> faces;
+  for (uint32_t f = first; f < mesh.face_slots(); ++f) faces.emplace_back(f);
+  const Mesh copy = extract_mesh(mesh, faces);
+  EXPECT_EQ(find_fault(copy), "");
+  for (uint32_t i = 0; i < faces.size(); ++i) {
+    std::vector<FaceId> neighbours, expected;
+    copy.append_neighbours(FaceId(i), neighbours);
+    mesh.append_neighbours(faces[i], expected);
+    for (FaceId& f : expected) f = FaceId(f.index - first);
+    std::sort(neighbours.begin(), neighbours.end());
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(neighbours, expected);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

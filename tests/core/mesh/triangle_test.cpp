@@ -40,5 +40,11 @@ TEST(Triangle, computes_the_cosine_of_its_smallest_angle) {
   EXPECT_EQ(largest_cosine({Vec3(0), Vec3(1, 0, 0), Vec3(0)}), 1) << "a degenerate one";
 }
 
+TEST(Triangle, computes_a_cosine_from_its_own_corners_only) {
+  const Triangle even{Vec3(0), Vec3(1, 0, 0), Vec3(0.5, std::sqrt(0.75), 0)};
+  const std::array<Triangle, 2> row{even, Triangle{Vec3(1e9, 0, 0), Vec3(0), Vec3(1)}};
+  EXPECT_NEAR(largest_cosine(row[0]), 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace kerf

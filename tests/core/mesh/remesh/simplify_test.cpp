@@ -257,6 +257,25 @@ TEST_P(Simplify, stays_within_the_error_in_both_directions) {
   }
 }
 
+// The texture is stretched five times as much on one side of x = 0: a face across could keep to the bound on
+// neither or only one of the sides.
+TEST(SimplifyWithUvs, makes_no_face_across_a_line_at_which_the_stretch_changes) {
+  const Mesh mesh = build(grid(16, 1)).mesh;
+  std::vector<std::vector<FaceUvs>> sets(1);
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    FaceUvs& uvs = sets[0].emplace_back();
+    const Triangle t = mesh.triangle(FaceId(f));
+    for (size_t i = 0; i < 3; ++i) uvs[i] = {t[i].x < 0 ? t[i].x : 5 * t[i].x, t[i].z};
+  }
+  const auto made = simplify(mesh, {.faces = 1}, {{}, {}, sets}, nullptr);
+  ASSERT_TRUE(made.ok());
+  EXPECT_LT(made->triangles.size(), mesh.live_faces() / 2);
+  for (const auto& [a, b, c] : made->triangles) {
+    const auto [low, high] = std::minmax({made->positions[a].x, made->positions[b].x, made->positions[c].x});
+    EXPECT_GE(low * high, 0);
+  }
+}
+
 // The maximum distance between the surfaces, in both directions.
 double error_of(const Mesh& mesh, const Remeshed& made) {
   const Mesh other = mesh_of(made, mesh);

@@ -101,6 +101,14 @@ TEST(ObjReader, keeps_hash_signs_in_names_of_every_kind) {
   EXPECT_EQ(soup.triangles.size(), 2u);
 }
 
+TEST(ObjReader, accepts_a_missing_name_at_the_end_of_the_file) {
+  for (const char* keyword : {"o", "g", "usemtl", "mtllib"}) {
+    const Soup soup = read(kTriangle + "f 1 2 3\n" + keyword);
+    EXPECT_EQ(soup.triangles.size(), 1u) << keyword;
+    EXPECT_TRUE(soup.parts.empty()) << keyword;
+  }
+}
+
 TEST(ObjReader, has_no_material_list_for_a_single_material) {
   EXPECT_TRUE(read(kTriangle + "f 1 2 3\n").material_names.empty());
   const Soup soup = read(kTriangle + "usemtl a\nf 1 2 3\n");

@@ -101,6 +101,17 @@ TEST(LooksOfObj, are_written_as_the_numbers_of_each_line) {
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/1\n");
 }
 
+TEST(LooksOfObj, are_written_for_the_corners_that_have_them) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvn 0 0 1\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1 2 3\n"
+      "f 1/1/1 2/1/1 3/1/1\n";
+  const auto soup = read_obj(text, "a.obj");
+  ASSERT_TRUE(soup.ok());
+  MeshView view{soup->positions, soup->triangles, {}, {}};
+  view.looks = &soup->looks;
+  EXPECT_EQ(encoded(view, MeshFormat::kObj), text);
+}
+
 TEST(LooksOfObj, are_empty_without_attributes) {
   const auto soup = read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nvt 0 0\n", "a.obj");
   ASSERT_TRUE(soup.ok());
@@ -496,7 +507,8 @@ TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};
   SurfaceMaterial& material = library.materials.emplace_back();
-  material.mtl = {{"map_Kd -S 2 -2 -o -0.5 -Clamp on -bm 2 ", 0u},
+  material.mtl = {{"Kd 1 0 0", {}},
+                  {"map_Kd -S 2 -2 -o -0.5 -Clamp on -bm 2 ", 0u},
                   {"map_Bump ", 0u},
                   {"norm -bm -1 -imfchan l ", 0u},
                   {"bump -bm -1 -imfchan l ", 0u}};
@@ -513,6 +525,13 @@ TEST(LostInGltf, has_statements_without_a_counterpart) {
   EXPECT_EQ(lost_in_gltf(library, material), (std::vector<std::string>{"KS", "Ks", "Ni", "Tf"}));
   EXPECT_EQ(lost_in_3mf(material),
             (std::vector<std::string>{"KS", "Ke", "Ks", "Ni", "Ns", "Pm", "Pr", "Tf"}));
+}
+
+TEST(LostIn3mf, has_factors_without_a_counterpart) {
+  SurfaceMaterial material;
+  material.gltf = R"({"name":"red","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1],"metallicFactor":0,)"
+                  R"("roughnessFactor":0.5},"emissiveFactor":[1,1,1]})";
+  EXPECT_EQ(lost_in_3mf(material), (std::vector<std::string>{"emissiveFactor", "roughnessFactor"}));
 }
 
 TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {

@@ -267,7 +267,7 @@ TEST(ThreeMf, colours_are_read_back_as_written) {
   EXPECT_EQ(soup->colours, colours);
 }
 
-std::string deflated(const std::string& content) {
+std::string deflated(const std::string& content, int flush = Z_FINISH) {
   std::string packed(content.size() + 1000, '\0');
   z_stream stream{};
   EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY), Z_OK);
@@ -275,7 +275,7 @@ std::string deflated(const std::string& content) {
   stream.avail_in = static_cast<uInt>(content.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
   stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  EXPECT_EQ(deflate(&stream, flush), flush == Z_FINISH ? Z_STREAM_END : Z_OK);
   packed.resize(stream.total_out);
   deflateEnd(&stream);
   return packed;
@@ -340,6 +340,16 @@ TEST(ThreeMf, archives_that_lie_are_refused) {
   files.erase(files.begin());
   EXPECT_NE(refusal(archive({files[0]})).find("not a usable 3MF file"), std::string::npos);
   EXPECT_NE(refusal("PK\x03\x04").find("damaged"), std::string::npos);
+}
+
+// With all of their bytes.
+TEST(ThreeMf, deflated_files_without_an_end_are_refused) {
+  const std::string text(1000, 'a');
+  const auto check = [&](const std::string& content) {
+    return check_3mf_entries({ZipEntry{"a.txt", content, 8, 0, text.size()}}, "a.3mf").ok();
+  };
+  EXPECT_TRUE(check(deflated(text)));
+  EXPECT_FALSE(check(deflated(text, Z_SYNC_FLUSH)));
 }
 
 // Returns a model in which each object contains the one before it ten times. `before` and `after` enclose the

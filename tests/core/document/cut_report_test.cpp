@@ -117,6 +117,12 @@ TEST(CutReport, sums_loaded_faces_and_changes_of_steps) {
   EXPECT_DOUBLE_EQ(timing["step_max"], 100);
 }
 
+TEST(CutReport, has_no_times_of_steps_if_there_were_none) {
+  const auto report = cut_report({}, world_of(brick({1, 1, 1})), {}, {});
+  for (const char* key : {"step_p50", "step_p99", "step_max"})
+    EXPECT_EQ(report["timing_ms"][key], 0.0) << key;
+}
+
 TEST(CutReport, omits_solids_if_there_are_none) {
   const World world = world_of(brick({1, 1, 1}));
   const auto report = cut_report({}, world, {}, {});

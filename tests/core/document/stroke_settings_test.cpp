@@ -13,6 +13,10 @@ TEST(StrokeSettings, default_to_values_derived_from_the_diagonal) {
   EXPECT_EQ(settings.resolution.target_edge, 0.00125);
   EXPECT_EQ(settings.resolution.tolerance, 0.000625);
   EXPECT_EQ(settings.laser.power, Laser().power);
+  EXPECT_EQ(settings.laser.wavelength, 0);
+  EXPECT_FALSE(settings.laser.focus.has_value());
+  EXPECT_EQ(settings.laser.pulse_rate, 0);
+  EXPECT_EQ(settings.laser.duty, 1);
 }
 
 TEST(StrokeSettings, use_values_given_by_the_stroke) {

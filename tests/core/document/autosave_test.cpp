@@ -106,6 +106,23 @@ TEST_F(AutosaveFolder, gives_two_editors_of_one_process_different_files) {
   EXPECT_EQ(left().size(), 2u);
 }
 
+TEST_F(AutosaveFolder, counts_the_cuts_that_are_not_undone) {
+  Document document;
+  for (int i = 0; i < 3; ++i) {
+    document.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+  }
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  {
+    Autosave autosave(state());
+    autosave.begin(scene_, {});
+    ASSERT_TRUE(autosave.follow(document, {}).ok());
+  }
+  const auto found = left();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().cuts, 2u);
+}
+
 TEST_F(AutosaveFolder, reports_an_unwritable_folder_and_retries) {
   write_text(state(), "a file where the folder should be");
   Document document;

@@ -51,6 +51,19 @@ TEST_F(LockedFileTest, stays_locked_when_moved) {
   EXPECT_FALSE(std::filesystem::exists(file()));
 }
 
+TEST_F(LockedFileTest, is_replaced_with_its_path_by_a_move_assignment) {
+  const auto other = folder_ / "other.kerf";
+  auto one = LockedFile::create(file(), "one\n"), two = LockedFile::create(other, "two\n");
+  ASSERT_TRUE(one && two);
+  *one = std::move(*two);
+  EXPECT_EQ(one->path(), other);
+  ASSERT_TRUE(one->append("line\n"));
+  EXPECT_EQ(test::read_text(other), "two\nline\n");
+  one->remove();
+  EXPECT_FALSE(std::filesystem::exists(other));
+  EXPECT_TRUE(std::filesystem::exists(file()));
+}
+
 TEST_F(LockedFileTest, fails_to_open_a_missing_file) { EXPECT_FALSE(LockedFile::open(file())); }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "core/document/document.h"
 #include "tests/support/features.h"
@@ -96,6 +98,24 @@ TEST(Extract, has_a_volume_if_its_faces_are_closed) {
   EXPECT_NEAR(*whole_extract(world).volume, 6, 1e-14);
   only_body(world).mesh.remove_face(FaceId(7));
   EXPECT_FALSE(whole_extract(world).volume.has_value());
+}
+
+TEST(Extract, has_a_volume_from_whichever_corner_its_faces_begin) {
+  for (int turns = 0; turns < 81; ++turns) {
+    SCOPED_TRACE("turns " + std::to_string(turns));
+    Soup tetrahedron;
+    tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    tetrahedron.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+    int left = turns;
+    for (auto& t : tetrahedron.triangles) {
+      std::rotate(t.begin(), t.begin() + left % 3, t.end());
+      left /= 3;
+    }
+    const Extract e = whole_extract(world_of(tetrahedron));
+    EXPECT_EQ(e.boundary_edges, 0u);
+    ASSERT_TRUE(e.volume.has_value());
+    EXPECT_NEAR(*e.volume, 1.0 / 6, 1e-14);
+  }
 }
 
 TEST(Extract, solid_body_has_solid_mass_only_if_closed) {

@@ -290,6 +290,18 @@ TEST(Document, a_recut_reports_restored_faces) {
   EXPECT_EQ(known, live_faces(document.world()));
 }
 
+// Without before-images an edit is undone by a replay and redone by its execution.
+TEST(Document, a_redo_without_images_reports_its_changes) {
+  Document document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });
+  document.set_window(0);
+  const PieceId piece{document.world().ids().front(), 0};
+  ASSERT_TRUE(document.apply(SubdividePiece{piece, Subdivision::kMidpoint}).ok());
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  const Outcome outcome = document.apply(Redo{});
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.delta.created, document.world().ids());
+}
+
 TEST(Document, a_failed_history_jump_reports_how_far_it_got) {
   const auto file = std::filesystem::temp_directory_path() / "kerf-journey.obj";
   std::filesystem::copy_file(checkout() / "assets/meshes/sphere.obj", file,

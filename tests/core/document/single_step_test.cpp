@@ -209,6 +209,13 @@ std::vector<uint32_t> live_slots(const World& world) {
   return faces;
 }
 
+TEST(SingleStep, resumes_within_the_stroke_after_enough_work) {
+  Document document = sheet_with_stroke();
+  SingleStep single(document, 1);
+  while (document.waiting() > 0) ASSERT_TRUE(single.next().ok());
+  EXPECT_GT(single.resumes_after(single.stages()), 0u);
+}
+
 TEST(SingleStep, reports_changes_of_a_step_back) {
   Document document = sheet_with_stroke();
   SingleStep single(document);

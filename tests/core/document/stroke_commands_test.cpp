@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/document/replay.h"
@@ -122,6 +124,52 @@ TEST(StopStroke, ends_the_cut_within_a_move) {
     ASSERT_TRUE(some.ok());
     if (some->last) EXPECT_LE(some->last->to.origin.x, reached + settings.laser.radius);
   }
+}
+
+// The moves before the one that is shortened stay in the path along which the rim is closed.
+TEST(StopStroke, within_a_straight_move_keeps_the_moves_before_it) {
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.04;
+  settings.resolution.rim = Rim::kSmooth;
+  const Vec3 down(0, -1, 0);
+  Document document = stopped_document();
+  draw_stroke(document, {BeginStroke{settings, {{-0.8, 1, 0.1}, down}}, MoveBeam{{{0, 1, 0.1}, down}, 1},
+                         MoveBeam{{{0.8, 1, 0.1}, down}, 2}, EndStroke{}});
+  std::optional<StopStroke> here;
+  while (!here || here->moves < 2.25) {
+    ASSERT_GT(document.waiting(), 0u);
+    ASSERT_TRUE(document.step(1).ok());
+    here = document.queue().stop_here();
+  }
+  ASSERT_TRUE(document.apply(*here).ok());
+  finish_all(document);
+  EXPECT_GT(document.history().totals().removed_faces, 0u);
+  expect_replays(document, size_t{1} << 30);
+}
+
+TEST(StopStroke, does_not_depend_on_an_undone_stroke_behind_it) {
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.04;
+  const auto line = [&](double z) {
+    const Vec3 down(0, -1, 0);
+    return std::vector<Command>{BeginStroke{settings, {{-0.8, 1, z}, down}}, MoveBeam{{{0.8, 1, z}, down}, 1},
+                                EndStroke{}};
+  };
+  Document document = stopped_document();
+  draw_stroke(document, line(0.1));
+  std::optional<StopStroke> here;
+  for (size_t moves = 0; moves == 0 || here->moves < 1.25;) {  // up to the end of a part of the move
+    const auto some = document.step(1);
+    ASSERT_TRUE(some.ok());
+    moves = some->moves;
+    here = document.queue().stop_here();
+    ASSERT_TRUE(here.has_value());
+  }
+  draw_stroke(document, line(-0.1));
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  const auto then = document.queue().stop_here();
+  ASSERT_TRUE(then.has_value());
+  EXPECT_EQ(then->moves, here->moves);
 }
 
 TEST(StopStroke, truncates_and_recuts_a_finished_stroke) {

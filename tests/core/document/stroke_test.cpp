@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/deterministic_math.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -38,6 +42,25 @@ TEST(Stroke, that_is_truncated_lists_the_same_moves_for_a_moved_body) {
   stroke.cut_back(world, 1, std::nullopt);
   EXPECT_EQ(stroke.path.size(), 1u);
   EXPECT_EQ(stroke.swept[id].size(), 1u);
+}
+
+// The body turns about the origin of the beam, so that the end of the beam moves the most in its frame.
+TEST(Stroke, carries_the_end_of_the_beam_by_at_most_a_radius_through_a_turning_body) {
+  World world = world_of(grid(4, 2));
+  const BodyId id = world.ids().front();
+  Body& body = world.body(id);
+  const Placement before = body.placement;
+  const Pose still{{0, 3, 0}, {0, -1, 0}};
+  body.placement.orientation = axis_angle(Vec3(0, 0, 1), 0.04);
+  body.placement.position = still.origin - body.placement.orientation * still.origin;
+  Stroke stroke;
+  stroke.settings.laser.radius = 0.02;
+  const std::vector<BeamMove> moves = stroke.move_body(id, body, before, still);
+  ASSERT_FALSE(moves.empty());
+  const double reach = 3 + std::sqrt(2.0);  // through the sphere around the sheet
+  const auto end = [&](const Pose& beam) { return beam.origin + reach * beam.direction; };
+  for (const BeamMove& move : moves)
+    EXPECT_LE(glm::distance(end(move.from), end(move.to)), stroke.settings.laser.radius);
 }
 
 }  // namespace

@@ -534,5 +534,18 @@ TEST(PieceLooks, name_the_part_with_the_largest_area) {
   EXPECT_EQ(part_name_of(body, beyond, faces), "");
 }
 
+TEST(PieceLooks, name_a_part_by_area_and_not_by_faces) {
+  Soup large;
+  large.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  large.triangles = {{0, 1, 2}};
+  for (const auto& [size, name] : {std::pair(0.65, "one"), std::pair(0.75, "many")}) {
+    const World world = world_of(both(large, moved(grid(4, size), {5, 0, 0}, 1)));
+    const Body& body = world.body(world.ids()[0]);
+    EXPECT_EQ(
+        part_name_of(body, std::vector<MeshPart>{{"one", 0, 1}, {"many", 1, 33}}, live_faces(body.mesh)),
+        name);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

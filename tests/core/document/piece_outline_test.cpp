@@ -135,6 +135,21 @@ TEST(PieceOutline, a_round_plate_may_have_many_sides_of_large_faces) {
   EXPECT_NEAR(area_of_lines(*lines), sectors / 2.0 * std::sin(2 * kPi / sectors) * radius * radius, 1e-12);
 }
 
+// A plate whose lower side is larger than its upper one by a share of its area.
+Soup tapered(double share) {
+  Soup soup = brick({1, 0.05, 1});
+  const double scale = std::sqrt(1 / (1 + share));
+  for (Vec3& p : soup.positions) {
+    if (p.y > 0) p = {0.5 + scale * (p.x - 0.5), p.y, 0.5 + scale * (p.z - 0.5)};
+  }
+  return soup;
+}
+
+TEST(PieceOutline, a_plate_may_taper_by_one_percent_of_its_area) {
+  EXPECT_TRUE(flat_outline(whole(tapered(0.005))));
+  EXPECT_FALSE(flat_outline(whole(tapered(0.015))));
+}
+
 TEST(PieceOutline, other_pieces_have_none) {
   EXPECT_FALSE(flat_outline(whole(sphere(8, 12, 1))));
   EXPECT_FALSE(flat_outline(whole(tube(3, 12, 1, 1))));

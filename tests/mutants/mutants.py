@@ -94,7 +94,7 @@ def stages(copy, path):
     own = path.replace(f'{copy}/core/', f'{copy}/tests/core/').replace('.cpp', '_test.cpp')
     first = suites_in([own] if os.path.exists(own) else [])
     others = set().union(*(of(quick) for quick in QUICK if quick != folder))
-    return [':'.join(sorted(f'{suite}.*' for suite in suites))
+    return [':'.join(sorted(f'{suite}.*:*/{suite}.*' for suite in suites))
             for suites in (first, of(folder) - first, others - of(folder)) if suites]
 
 

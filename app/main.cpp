@@ -99,6 +99,7 @@ kerf::Status rewrite_help(const CLI::App& app, std::vector<std::string>& argumen
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Kerf: cut triangle meshes with a laser, live.", "kerf");
+  app.get_formatter()->column_width(34);  // the longest option with its argument and what it needs
   app.set_version_flag("-V,--version", kerf::version_text());
   app.set_help_flag("-h,--help", "Show this help");
   app.footer("kerf help COMMAND shows the options of a command.");

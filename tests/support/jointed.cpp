@@ -48,4 +48,15 @@ std::vector<BodyId> part_bodies(World& world) {
   return world.ids();
 }
 
+void cut_car(Document& document) {
+  CutSettings settings;
+  settings.laser.radius = 0.01;
+  settings.laser.range = {0, 10};
+  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(MoveBeam{{{2, 1.25, 5}, {0, 0, -1}}});
+  document.apply(Play{});
+  document.apply(AdvanceTime{1, true});
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+}
+
 }  // namespace kerf::test

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/document.h"
 #include "core/document/scene.h"
 #include "core/world/world.h"
 
@@ -26,5 +27,8 @@ World jointed_world(std::span<const NamedSheet> sheets, std::span<const JointDes
 // Makes every piece that moves on its own a body: what joints hold only movably, and what was cut off.
 // Returns the bodies in the order of their ids.
 std::vector<BodyId> part_bodies(World& world);
+
+// Cuts the car of assets/scenes/car.json along x by one stroke, at a height of 1.25 m.
+void cut_car(Document& document);
 
 }  // namespace kerf::test

@@ -58,7 +58,7 @@ TEST(Crash, releases_only_breakable_parts_near_the_impact) {
     EXPECT_LE(farthest_released, nearest_left);
     total_released += released;
   }
-  EXPECT_GT(total_released, runs(30));
+  EXPECT_GT(7 * total_released, 10 * runs(30));  // over 10 in the usual seven runs
 }
 
 TEST(Crash, never_breaks_off_vital_parts_axles_or_the_laser) {

@@ -6,6 +6,7 @@
 #include "core/document/cut_effects.h"
 #include "core/document/scene.h"
 #include "tests/support/checkout.h"
+#include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/inspect/graph_views.h"
 #include "ui/editor/shared/piece_set.h"
@@ -299,14 +300,7 @@ TEST(PieceTree, keeps_the_names_of_loaded_parts_in_its_rows) {
   auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   Document document(std::move(scene->world));
-  CutSettings settings;
-  settings.laser.radius = 0.01;
-  settings.laser.range = {0, 10};
-  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
-  document.apply(MoveBeam{{{2, 1.25, 5}, {0, 0, -1}}});
-  document.apply(Play{});
-  document.apply(AdvanceTime{1, true});
-  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  ASSERT_NO_FATAL_FAILURE(test::cut_car(document));
   std::vector<PieceTreeRow> rows = piece_tree(piece_origins(document));
   name_loaded_parts(rows, document.world(), {});
   std::set<std::string> names;

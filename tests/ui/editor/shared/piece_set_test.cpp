@@ -5,6 +5,7 @@
 #include "core/document/document.h"
 #include "core/document/scene.h"
 #include "tests/support/checkout.h"
+#include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/view/view_options.h"
@@ -97,14 +98,7 @@ TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {
   auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
   ASSERT_TRUE(scene.ok()) << scene.error().message;
   Document document(std::move(scene->world));
-  CutSettings settings;
-  settings.laser.radius = 0.01;
-  settings.laser.range = {0, 10};
-  document.apply(BeginStroke{settings, {{-2, 1.25, 5}, {0, 0, -1}}});
-  document.apply(MoveBeam{{{2, 1.25, 5}, {0, 0, -1}}});
-  document.apply(Play{});
-  document.apply(AdvanceTime{1, true});
-  while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  ASSERT_NO_FATAL_FAILURE(test::cut_car(document));
   const std::vector<PieceRow> rows = list_pieces(document.world());
   ASSERT_EQ(rows.size(), 7u);
   EXPECT_EQ(rows[0].name, "car");

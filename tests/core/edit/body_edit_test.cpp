@@ -158,6 +158,23 @@ TEST(BodyEdit, shrinks_the_bounds_with_the_tree) {
   EXPECT_EQ(body.bounds().min.x, -0.5);
 }
 
+TEST(BodyEdit, fits_the_bounds_to_a_vertex_that_moves_out_and_back) {
+  Body body = make_body("brick", build(brick({1, 1, 1})));
+  VertexId corner;
+  for (uint32_t v = 0; v < body.mesh.vertex_slots(); ++v) {
+    if (body.mesh.position(VertexId(v)) == Vec3(1)) corner = VertexId(v);
+  }
+  for (const auto& [to, reach] : {std::pair(Vec3(2, 3, 4), Vec3(2, 3, 4)), {Vec3(0.7, 0.1, 0.8), Vec3(1)}}) {
+    Mesh::Star star;
+    body.mesh.star(corner, star);
+    BodyEdit edit(body);
+    edit.move_vertex(corner, to, star);
+    edit.refit_tree();
+    EXPECT_EQ(body.bounds().max, reach);
+    EXPECT_EQ(body.bounds().min, Vec3(0));
+  }
+}
+
 TEST(BodyEdit, lists_relabelled_faces_of_several_searches_in_order) {
   Body body = make_body("grid", build(grid(12, 1)));
   BodyEdit edit(body);

@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/version.h"
 #include "core/base/json.h"
+#include "core/base/number_format.h"
 #include "core/base/platform.h"
 #include "core/document/save.h"
 #include "core/document/text/hash.h"
@@ -124,7 +125,8 @@ std::string match_summary(const Match& match) {
   std::ostringstream text;
   text << (ended ? "time up" : result_of(match)) << " after " << seconds_of_ticks(standing.ticks)
        << " s: " << standing.score << " points, " << standing.enemies_destroyed
-       << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ") << standing.pieces << " pieces";
+       << (standing.enemies_destroyed == 1 ? " wreck, " : " wrecks, ")
+       << count_text(standing.pieces, "piece");
   return text.str();
 }
 

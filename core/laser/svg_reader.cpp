@@ -318,10 +318,20 @@ class SvgReader {
         return wrong(node, "transform", *fault);
     }
     count_effects(node);
-    if (name == "g" || name == "a" || name == "switch") return children(node, frame, depth);
+    if (name == "g" || name == "a") return children(node, frame, depth);
+    if (name == "switch") return first_drawable(node, frame, depth);
     if (name == "svg") return inner_svg(node, node, frame, depth);
     if (name == "use") return use(node, frame, depth);
     return shape(node, name, frame);
+  }
+
+  // Draws the first child of a <switch> that needs no extension, in whatever language it is.
+  Status first_drawable(const pugi::xml_node& parent, const Frame& frame, int depth) {
+    for (const pugi::xml_node& node : parent.children()) {
+      if (node.type() == pugi::node_element && node.attribute("requiredExtensions").empty())
+        return element(node, frame, depth + 1);
+    }
+    return Done{};
   }
 
   // Draws the children of an inner <svg>, or of a <symbol> for which `sized` gives place and size.

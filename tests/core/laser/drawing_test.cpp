@@ -198,6 +198,18 @@ TEST(SvgDrawing, uses_repeat_elements_and_elements_left_out_are_counted) {
             "left out: 1 clip-path, 1 image, 2 text, 1 use of an element that is not in the file");
 }
 
+TEST(SvgDrawing, a_switch_draws_its_first_child_that_needs_no_extension) {
+  const Drawing drawing = svg_of(
+      "<switch> <foreignObject requiredExtensions='urn:x'/><g><path d='M0 0h1'/><path d='M0 0h2'/></g>"
+      "<path d='M0 0h9'/></switch><switch><image requiredExtensions='urn:x'/></switch><path d='M0 0h3'/>");
+  ASSERT_EQ(drawing.lines.size(), 3u);
+  for (const int i : {0, 1, 2}) {
+    const Vec2 end = kMillimetre * Vec2(i + 1, 0);
+    EXPECT_LT(glm::length(drawing.lines[static_cast<size_t>(i)].points[1] - end), 1e-15);
+  }
+  EXPECT_EQ(left_out_text(drawing), std::nullopt);
+}
+
 TEST(SvgDrawing, a_line_that_returns_to_its_start_is_closed) {
   const Drawing drawing = svg_of(
       "<polyline points='0,0 10,0 10,10 0,10 0,0'/><path d='M10 5 A5 5 0 0 1 0 5 A5 5 0 0 1 10 5'/>"

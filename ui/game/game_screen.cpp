@@ -281,10 +281,11 @@ void GameScreen::advance_playing(double seconds) {
   const int ticks = clock_.advance(seconds);
   for (int i = 0; i < ticks && !match_->settled(); ++i) tick();
   hud_.advance(seconds);
+  const bool is_beginning = played_seconds_ <= kGuideSeconds;
   played_seconds_ += seconds;
   killcam_left_ = std::max(0.0, killcam_left_ - seconds);
   if (killcam_ && killcam_left_ > 0) killcam_->follow(*match_, seconds);
-  if (played_seconds_ > kGuideSeconds) guide_ = false;
+  if (is_beginning && played_seconds_ > kGuideSeconds) guide_ = false;
   if (match_->standing().over()) go_on_after_the_end(seconds);
   if (lesson_ && lesson_->done()) end_lesson();
 }

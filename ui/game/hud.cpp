@@ -7,6 +7,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
+#include "ui/window/layout.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"
 
@@ -413,8 +414,10 @@ void draw_guide(const HudPaint& paint, const std::vector<std::string>& lines) {
   float width = 0;
   for (const std::string& line : lines) width = std::max(width, paint.width_of(line, 1));
   const float x = 0.5f * paint.size().x, y = 1.5f * em;
-  paint.shade({x - 0.5f * width - em, y - 0.6f * em},
-              {x + 0.5f * width + em, y + (kLine * static_cast<float>(lines.size()) + 0.2f) * em});
+  const ImVec2 from(x - 0.5f * width - em, y - 0.6f * em),
+      to(x + 0.5f * width + em, y + (kLine * static_cast<float>(lines.size()) + 0.2f) * em);
+  paint.shade(from, to);
+  mark_area("help", {{from.x, from.y}, {to.x - from.x, to.y - from.y}});
   for (size_t i = 0; i < lines.size(); ++i)
     paint.text({x, y + kLine * em * static_cast<float>(i)}, lines[i], kText, 1, Align::kMiddle);
 }

@@ -135,6 +135,15 @@ class Game(WindowTest):
         self.assertIn("replay", game.landmarks()["parts"])
         self.assertEqual(len(self.kept("scores.json")["scores"]), 1)
 
+    def test_help_can_be_shown_again_after_it_has_disappeared(self):
+        game = self.open("play", self.write_rules(waves=[]))
+        game.wait_for(lambda: self.playing(game), "the match never began")
+        self.assertIn("help", game.landmarks()["parts"])
+        game.pause(15)
+        self.assertNotIn("help", game.landmarks()["parts"])
+        game.press("h")
+        self.assertIn("help", game.landmarks()["parts"])
+
     def test_menus_work_with_keys_alone_in_a_small_window(self):
         game = self.open("play")
         game.resize(640, 400)

@@ -214,11 +214,10 @@ void draw_state(const HudView& view, const HudPaint& paint) {
                          ? "Upgrade with the D-pad: left cooler laser, up faster charging, right armour"
                          : "Upgrade: 1 cooler laser, 2 faster charging, 3 armour",
                      kText, 1.3f, Align::kMiddle);
-  if (view.match.is_disabled())
-    paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y},
-                     "Laser lost: press " + control_label(GameAction::kNextCar, view.keys, view.gamepad) +
-                         " to take your next car",
-                     kBad, 1.4f, Align::kMiddle);
+  const std::string hint =
+      give_up_hint(view.match, control_label(GameAction::kNextCar, view.keys, view.gamepad));
+  if (!hint.empty())
+    paint.plate_text({0.5f * paint.size().x, 0.42f * paint.size().y}, hint, kBad, 1.4f, Align::kMiddle);
 }
 
 // An arrow on a circle around the middle, pointing to an off-screen place.

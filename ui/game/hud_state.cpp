@@ -38,6 +38,14 @@ std::string end_reason(const Match& match, size_t killer) {
   return "Your car was cut to pieces" + by;
 }
 
+std::string give_up_hint(const Match& match, const std::string& control) {
+  using Phase = Standing::Phase;
+  const Phase phase = match.standing().phase;
+  if (!match.is_disabled() || (phase != Phase::kFight && phase != Phase::kDown)) return "";
+  const bool another_car = phase == Phase::kDown || match.standing().cars_left > 0;
+  return "Laser lost: press " + control + (another_car ? " to take your next car" : " to end the match");
+}
+
 namespace {
 
 constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;

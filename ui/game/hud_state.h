@@ -13,6 +13,10 @@ namespace kerf {
 // whose beam wrecked the player's car, if one did. Precondition: the match is over.
 std::string end_reason(const Match& match, size_t killer = Event::kNobody);
 
+// Describes what giving up does to a player whose car has no laser; empty if it does nothing. `control`: the
+// name of the key or button.
+std::string give_up_hint(const Match& match, const std::string& control);
+
 // Display names of parts of a vehicle: "engine", "front left wheel".
 const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
 std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel);

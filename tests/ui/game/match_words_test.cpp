@@ -30,6 +30,24 @@ TEST(EndReason, names_the_lost_part_and_the_attacker) {
   EXPECT_EQ(end_reason(match), "Your engine was cut off");
 }
 
+TEST(GiveUpHint, tells_whether_another_car_follows) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(2, 1));
+  rules->description.cars = 2;
+  Match match({rules, 1, Difficulty::kNormal});
+  EXPECT_EQ(give_up_hint(match, "G"), "");
+  const_cast<Vehicle&>(match.vehicles()[Match::kPlayer]).gun.turret_attached = false;
+  EXPECT_EQ(give_up_hint(match, "G"), "Laser lost: press G to take your next car");
+  auto& standing = const_cast<Standing&>(match.standing());
+  standing.cars_left = 0;
+  EXPECT_EQ(give_up_hint(match, "G"), "Laser lost: press G to end the match");
+  standing.phase = Standing::Phase::kDown;
+  EXPECT_EQ(give_up_hint(match, "G"), "Laser lost: press G to take your next car");
+  for (const auto phase : {Standing::Phase::kPause, Standing::Phase::kWon, Standing::Phase::kEnded}) {
+    standing.phase = phase;
+    EXPECT_EQ(give_up_hint(match, "G"), "") << "the key does nothing";
+  }
+}
+
 TEST(HudState, own_losses_are_no_clean_cuts_and_points_fly_from_their_place) {
   Match match({test::flat_rules(1, 1), 1, Difficulty::kNormal});
   HudState hud;

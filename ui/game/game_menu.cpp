@@ -231,14 +231,14 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   return choice;
 }
 
-MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing) {
+MenuChoice draw_confirmation(MenuChoice choice, const Match& match) {
   KERF_ASSERT(choice == MenuChoice::kRestart || choice == MenuChoice::kTitle || choice == MenuChoice::kLeave);
   MenuChoice answer = MenuChoice::kNone;
   const bool restarts = choice == MenuChoice::kRestart;
   dim_match();
   begin_menu("Confirm", 0.5f);
   menu_heading(restarts ? "Restart the match?" : "Leave the match?");
-  ImGui::Text("Wave %zu and %.0f points will be lost.", standing.wave + 1, standing.score);
+  ImGui::TextUnformatted(loss_warning(match).c_str());
   ImGui::Spacing();
   if (menu_button("Cancel (Esc)", "cancel")) answer = MenuChoice::kCancel;
   if (menu_button(restarts ? "Restart" : "Leave", "confirm")) answer = choice;

@@ -63,7 +63,7 @@ struct MenuView {
 MenuChoice draw_pause_menu(const MenuView& view);
 
 // Asks whether to restart or leave a match. Returns `choice`, kCancel or kNone.
-MenuChoice draw_confirmation(MenuChoice choice, const Standing& standing);
+MenuChoice draw_confirmation(MenuChoice choice, const Match& match);
 
 struct MatchResult {
   bool won = false;

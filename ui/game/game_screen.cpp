@@ -534,7 +534,7 @@ void GameScreen::draw_menu() {
     case State::kStart:
       return take(draw_start_menu({settings_, scores_, options_.from_editor}));
     case State::kPaused:
-      if (asked_ != MenuChoice::kNone) return take(draw_confirmation(asked_, match_->standing()));
+      if (asked_ != MenuChoice::kNone) return take(draw_confirmation(asked_, *match_));
       return take(draw_pause_menu({settings_, options_.look, picture_.look(), ways(), rebound_}));
     case State::kOver:
       if (!result_) return;

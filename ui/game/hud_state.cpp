@@ -46,6 +46,13 @@ std::string give_up_hint(const Match& match, const std::string& control) {
   return "Laser lost: press " + control + (another_car ? " to take your next car" : " to end the match");
 }
 
+std::string loss_warning(const Match& match) {
+  const bool has_waves = !match.rules().waves.empty() && !match.rules().description.targets;
+  const std::string wave = has_waves ? "Wave " + std::to_string(match.standing().wave + 1) + " and " : "";
+  const long points = std::lround(match.standing().score);
+  return wave + std::to_string(points) + (points == 1 ? " point" : " points") + " will be lost.";
+}
+
 namespace {
 
 constexpr double kNoticeSeconds = 3.2, kLargeSeconds = 2.2;

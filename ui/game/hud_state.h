@@ -17,6 +17,9 @@ std::string end_reason(const Match& match, size_t killer = Event::kNobody);
 // name of the key or button.
 std::string give_up_hint(const Match& match, const std::string& control);
 
+// Describes what leaving an unfinished match discards: "Wave 2 and 450 points will be lost."
+std::string loss_warning(const Match& match);
+
 // Display names of parts of a vehicle: "engine", "front left wheel".
 const char* name_of_vital(const VehicleDescription& vehicle, size_t vital);
 std::string name_of_wheel(const VehicleDescription& vehicle, size_t wheel);

@@ -48,6 +48,20 @@ TEST(GiveUpHint, tells_whether_another_car_follows) {
   }
 }
 
+TEST(LossWarning, names_the_wave_only_where_there_are_waves) {
+  auto rules = std::make_shared<Rules>(*test::flat_rules(2, 1));
+  Match waves({rules, 1, Difficulty::kNormal});
+  const_cast<Standing&>(waves.standing()).score = 450;
+  EXPECT_EQ(loss_warning(waves), "Wave 1 and 450 points will be lost.");
+  rules = std::make_shared<Rules>(*rules);
+  rules->description.targets = true;
+  Match trial({rules, 1, Difficulty::kNormal});
+  const_cast<Standing&>(trial.standing()).score = 1;
+  EXPECT_EQ(loss_warning(trial), "1 point will be lost.");
+  Match sandbox({test::flat_rules(0, 0), 1, Difficulty::kNormal});
+  EXPECT_EQ(loss_warning(sandbox), "0 points will be lost.");
+}
+
 TEST(HudState, own_losses_are_no_clean_cuts_and_points_fly_from_their_place) {
   Match match({test::flat_rules(1, 1), 1, Difficulty::kNormal});
   HudState hud;

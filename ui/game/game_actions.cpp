@@ -127,12 +127,10 @@ std::optional<GamepadState> read_gamepad() {
   return std::nullopt;
 }
 
-void ActionLatch::press() {
-  ++holders_;
+void ActionLatch::press(int holder) {
+  holders_.insert(holder);
   ++pending_;
 }
-
-void ActionLatch::release() { holders_ = std::max(0, holders_ - 1); }
 
 bool ActionLatch::next() {
   if (pending_ == 0) return shown_ = is_held();

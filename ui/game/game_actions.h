@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,20 +76,21 @@ struct GamepadState {
 std::optional<GamepadState> read_gamepad();
 
 // Counts the presses of an action, so that none is lost or merged with another one if several happen between
-// two ticks.
+// two ticks. A holder is a key or a button that holds the action, identified by a number.
 class ActionLatch {
  public:
-  void press();
-  void release();
-  // Sets whether the action is held, without counting a press.
-  void hold(bool held) { holders_ = held ? 1 : 0; }
-  bool is_held() const { return holders_ > 0; }
+  void press(int holder);
+  void release(int holder) { holders_.erase(holder); }
+  // Adds a holder without counting a press.
+  void hold(int holder) { holders_.insert(holder); }
+  bool is_held() const { return !holders_.empty(); }
   // Returns the state for the next tick: each press is on for a tick at least, and off for one before the
   // next press.
   bool next();
 
  private:
-  int holders_ = 0, pending_ = 0;
+  std::set<int> holders_;
+  int pending_ = 0;
   bool shown_ = false;  // in the last tick
 };
 

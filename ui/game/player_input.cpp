@@ -70,6 +70,10 @@ std::optional<GameAction> action_of_button(int button) {
   return std::nullopt;
 }
 
+// The holders of actions (see ActionLatch): keys by their places, mouse buttons, and the gamepad.
+constexpr int kPadHolder = -100;
+int holder_of(const InputEvent& event, bool is_key) { return is_key ? event.place : -1 - event.button; }
+
 // By digit, from 1.
 constexpr std::array kViews{SwitchId::kBoxes,         SwitchId::kSizes,        SwitchId::kWire,
                             SwitchId::kPieces,        SwitchId::kGraph,        SwitchId::kContacts,
@@ -174,11 +178,11 @@ void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSe
         break;
       case Kind::kPress:
       case Kind::kKey:
-        if (action && !event.again) press(*action);
+        if (action && !event.again) latch(*action).press(holder_of(event, is_key));
         break;
       case Kind::kRelease:
       case Kind::kKeyUp:
-        if (action) release(*action);
+        if (action) latch(*action).release(holder_of(event, is_key));
         break;
       case Kind::kText:
         break;
@@ -188,8 +192,9 @@ void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSe
 
 void PlayerInput::take_held_keys(const Window& window, const KeyBindings& bindings) {
   for (size_t i = 0; i < kGameActions; ++i) {
-    const int other = action_keys(static_cast<GameAction>(i)).other_key;
-    latches_[i].hold(window.is_key_held(bindings[i]) || (other != 0 && window.is_key_held(other)));
+    for (const int key : {bindings[i], action_keys(static_cast<GameAction>(i)).other_key}) {
+      if (key != 0 && window.is_key_held(key)) latches_[i].hold(key);
+    }
   }
 }
 
@@ -199,7 +204,7 @@ void PlayerInput::apply_gamepad(const GamepadState& pad, double seconds, const G
     const auto action = static_cast<GameAction>(i);
     const int button = action_keys(action).pad;
     if (pad.is_pressed(button) == pad_.is_pressed(button)) continue;
-    pad.is_pressed(button) ? press(action) : release(action);
+    pad.is_pressed(button) ? latch(action).press(kPadHolder) : latch(action).release(kPadHolder);
   }
   if (pad.buttons[GLFW_GAMEPAD_BUTTON_LEFT_BUMPER]) width_ = std::max(0.0, width_ - kWidthSpeed * seconds);
   if (pad.buttons[GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER]) width_ = std::min(1.0, width_ + kWidthSpeed * seconds);

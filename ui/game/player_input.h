@@ -103,8 +103,6 @@ class PlayerInput {
 
  private:
   ActionLatch& latch(GameAction action) { return latches_[static_cast<size_t>(action)]; }
-  void press(GameAction action) { latch(action).press(); }
-  void release(GameAction action) { latch(action).release(); }
   void handle_motion(const InputEvent& event, const GameSettings& settings);
   double heading(const Placement& chassis) const;
 

@@ -144,6 +144,23 @@ class Game(WindowTest):
         game.press("h")
         self.assertIn("help", game.landmarks()["parts"])
 
+    def test_a_key_pressed_right_after_resuming_ends_with_its_release(self):
+        rules = self.write_rules(waves=[])
+        record = os.path.join(os.path.dirname(rules), "match.kerf")
+        game = self.open("play", rules, "--record", record)
+        game.wait_for(lambda: self.playing(game), "the match never began")
+        self.open_menu(game)
+        game.send({"together": [{"key_down": "Esc"}, {"key_down": "W"}]})
+        game.pause(0.5)
+        game.key_up("w")
+        game.pause(0.5)
+        game.report()
+        with open(record) as file:
+            lines = [json.loads(line) for line in file]
+        throttles = [run[1] for line in lines for run in line.get("inputs", [])]
+        self.assertIn(100, throttles)
+        self.assertEqual(throttles[-1], 0)
+
     def test_menus_work_with_keys_alone_in_a_small_window(self):
         game = self.open("play")
         game.resize(640, 400)

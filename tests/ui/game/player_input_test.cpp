@@ -110,6 +110,18 @@ TEST(PlayerInput, an_action_with_two_keys_is_held_until_both_are_released) {
   EXPECT_EQ(input.controls({}).throttle, 0);
 }
 
+TEST(ActionLatch, counts_a_key_that_is_already_held_once) {
+  ActionLatch latch;
+  latch.hold(GLFW_KEY_W);
+  latch.hold(GLFW_KEY_UP);
+  latch.press(GLFW_KEY_W);
+  EXPECT_TRUE(latch.next());
+  latch.release(GLFW_KEY_W);
+  EXPECT_TRUE(latch.next()) << "the other key is held";
+  latch.release(GLFW_KEY_UP);
+  EXPECT_FALSE(latch.next());
+}
+
 TEST(PlayerInput, a_key_can_be_replaced_and_the_two_actions_swap) {
   GameSettings settings;
   bind(GameAction::kSpawn, GLFW_KEY_C, settings.keys);

@@ -60,7 +60,9 @@ View GameScreen::view() const {
   return {view.eye, view.eye + kSeenAhead * view.forward};
 }
 
+// The window may be closed, or the program be stopped, in a menu.
 GameScreen::~GameScreen() {
+  keep_settings();
   set_menu_navigation(false);
   window_.catch_pointer(false);
   if (landmarks_) keep_landmarks(nullptr);
@@ -105,6 +107,10 @@ void GameScreen::enter(State state) {
   asked_ = MenuChoice::kNone;
   rebound_.reset();
   frames_due_ = kMenuFrames;
+  keep_settings();
+}
+
+void GameScreen::keep_settings() {
   const GameSettings keep = settings_to_keep(settings_, saved_, asked_difficulty_);
   if (keep == saved_) return;
   saved_ = keep;

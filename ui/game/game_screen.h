@@ -64,6 +64,7 @@ class GameScreen : public Screen {
   void load(Result<std::shared_ptr<const Rules>> rules);
   LeavingWays ways() const { return {options_.from_editor, options_.starts}; }
   void enter(State state);
+  void keep_settings();
   void handle_key(const InputEvent& event);
   void handle_action(GameAction action);
   void handle_gamepad();

@@ -90,6 +90,15 @@ class Game(WindowTest):
         self.open_again(SPHERE).quit()
         self.assertEqual([self.settings()[key] for key in ("width", "height")], [900, 700])
 
+    def test_settings_are_kept_when_the_window_is_closed_in_the_pause_menu(self):
+        game = self.open("play", self.write_rules())
+        game.wait_for(lambda: self.playing(game), "the match never began")
+        self.open_menu(game)
+        game.click("guide", 0.5, 0.5)
+        game.send({"close": True})
+        game.report()
+        self.assertFalse(self.kept("game.json")["guide"])
+
     def test_the_lesson_appears_once_and_can_be_skipped(self):
         game = self.open("play")
         game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")

@@ -373,8 +373,10 @@ void GameScreen::finish() {
                   result.won,     standing.enemies_destroyed,       seconds_of_ticks(standing.ticks)};
   result.medals = match_->rules().description.scores.medals;
   result.ended = standing.phase == Standing::Phase::kEnded;
+  // Neither bots nor the tutorial compete for high scores.
+  const bool competes = !bot_ && !lesson_;
   const bool counts = !result.ended || (match_->rules().description.targets && standing.score > 0);
-  if (counts) {
+  if (competes && counts) {
     if (const auto rank = add_high_score(result.score, high_scores_file())) result.rank = *rank;
   }
   result.scores = high_scores_of(result.score.rules, result.score.difficulty, high_scores_file());

@@ -131,6 +131,12 @@ class Game(WindowTest):
         game.die()
         self.assertEqual({name: self.kept(name) for name in kept}, kept)
 
+    def test_the_score_of_a_bot_is_no_high_score(self):
+        game = self.open("play", self.write_rules(times={"match": 2}), "--driver", "bot")
+        game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")
+        game.report()
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "kerf", "scores.json")))
+
     def test_a_finished_match_comes_back_from_the_editor_as_its_result(self):
         game = self.open("play", self.write_rules(times={"match": 2}))
         game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")

@@ -31,8 +31,8 @@ class MatchClock {
 
   // Returns the ticks that are due after a frame of a duration [s], >= 0.
   int advance(double seconds);
-  // Runs the match at a quarter of its speed for some time [s] of the player.
-  void slow_down(double seconds) { slow_s_ = seconds; }
+  // Runs the match at a quarter of its speed for some time [s] of the player at least.
+  void slow_down(double seconds) { slow_s_ = std::max(slow_s_, seconds); }
   // Stops the match for some time [s] of the player.
   void stop(double seconds) { stopped_s_ = std::max(stopped_s_, seconds); }
   // Sets the speed of the match relative to real time, > 0.

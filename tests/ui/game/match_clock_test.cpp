@@ -50,6 +50,15 @@ TEST(MatchClock, runs_at_quarter_speed_in_slow_motion) {
   EXPECT_NEAR(ticks, 60, 1);
 }
 
+TEST(MatchClock, a_shorter_slow_motion_does_not_end_a_longer_one) {
+  MatchClock clock;
+  clock.slow_down(3);
+  clock.slow_down(1.2);
+  EXPECT_EQ(clock.slow_left(), 3);
+  clock.slow_down(4);
+  EXPECT_EQ(clock.slow_left(), 4);
+}
+
 TEST(MatchClock, stops_for_a_moment_and_follows_its_pace) {
   MatchClock clock;
   clock.stop(0.05);

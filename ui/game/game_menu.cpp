@@ -246,7 +246,8 @@ MenuChoice draw_confirmation(MenuChoice choice, const Match& match) {
   return answer;
 }
 
-MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways) {
+MenuChoice draw_result(const MatchResult& result, std::optional<MatchReplay::State> replay,
+                       const LeavingWays& ways) {
   using Replay = MatchReplay::State;
   MenuChoice choice = MenuChoice::kNone;
   if (replay == Replay::kPlaying) draw_caption("Highlight");
@@ -261,10 +262,11 @@ MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, con
               result.rank, !result.ended);
   if (menu_button("Play Again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
-  const char* label = replay == Replay::kPreparing ? "Preparing highlight..."
-                      : replay == Replay::kPlaying ? "Highlight"
-                                                   : "Watch Highlight Again (B)";
-  if (menu_button(label, "replay")) choice = MenuChoice::kReplay;
+  const char* label = !replay                        ? "No Highlight"
+                      : replay == Replay::kPreparing ? "Preparing highlight..."
+                      : replay == Replay::kPlaying   ? "Highlight"
+                                                     : "Watch Highlight Again (B)";
+  if (menu_button(label, replay ? "replay" : "no replay")) choice = MenuChoice::kReplay;
   ImGui::EndDisabled();
   if (menu_button("Open in Editor", "inspect")) choice = MenuChoice::kInspect;
   if (ways.starts && menu_button("Change Mode, Arena or Car", "title")) choice = MenuChoice::kTitle;

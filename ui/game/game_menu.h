@@ -76,8 +76,10 @@ struct MatchResult {
   size_t wheels_lost = 0, pieces = 0;
 };
 
-// Draws the result of a match at the left of the window, next to the replay of its best moment.
-MenuChoice draw_result(const MatchResult& result, MatchReplay::State replay, const LeavingWays& ways);
+// Draws the result of a match at the left of the window, next to the replay of its best moment. `replay`:
+// its state; nullopt if the match has no such moment.
+MenuChoice draw_result(const MatchResult& result, std::optional<MatchReplay::State> replay,
+                       const LeavingWays& ways);
 
 // The state that the menu before a match shows and changes.
 struct StartView {

@@ -238,7 +238,8 @@ void GameScreen::handle_key(const InputEvent& event) {
     return escape();
   if (asked_ != MenuChoice::kNone) return navigate(key, event.mods);
   if (key == GLFW_KEY_R && state_ != State::kStart) return take(MenuChoice::kRestart);
-  if (key == GLFW_KEY_B && state_ == State::kOver) return begin_replay();
+  if (key == GLFW_KEY_B && state_ == State::kOver && replay_state() == MatchReplay::State::kOver)
+    return begin_replay();
   const bool is_enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_P;
   if (is_enter && state_ == State::kStart && !is_menu_navigated()) return begin_selected();
   navigate(key, event.mods);
@@ -395,6 +396,10 @@ void GameScreen::begin_replay() {
   replay_shown_ = false;
 }
 
+std::optional<MatchReplay::State> GameScreen::replay_state() const {
+  return replay_ ? std::optional(replay_->state()) : std::nullopt;
+}
+
 void GameScreen::advance_replay(double seconds) {
   if (replay_->state() == MatchReplay::State::kPreparing) return picture_.advance(*match_, seconds);
   if (replay_->is_skipped()) {
@@ -546,7 +551,7 @@ void GameScreen::draw_menu() {
       return take(draw_pause_menu({settings_, options_.look, picture_.look(), ways(), rebound_}));
     case State::kOver:
       if (!result_) return;
-      return take(draw_result(*result_, replay_ ? replay_->state() : MatchReplay::State::kOver, ways()));
+      return take(draw_result(*result_, replay_state(), ways()));
   }
 }
 

@@ -80,6 +80,8 @@ class GameScreen : public Screen {
   void finish();
   void escape();
   void begin_replay();
+  // Returns nullopt if there is no replay.
+  std::optional<MatchReplay::State> replay_state() const;
   void advance_replay(double seconds);
   // The match on the screen: the current one, or the replay of its best moment.
   const Match& shown() const;

@@ -131,6 +131,12 @@ class Game(WindowTest):
         game.die()
         self.assertEqual({name: self.kept(name) for name in kept}, kept)
 
+    def test_a_match_without_points_offers_no_highlight(self):
+        game = self.open("play", self.write_rules(targets=True, times={"match": 2}))
+        game.wait_for(lambda: "restart" in game.landmarks()["parts"], "the match was never over")
+        self.assertIn("no replay", game.landmarks()["parts"])
+        self.assertNotIn("replay", game.landmarks()["parts"])
+
     def test_the_score_of_a_bot_is_no_high_score(self):
         game = self.open("play", self.write_rules(times={"match": 2}), "--driver", "bot")
         game.wait_for(lambda: "replay" in game.landmarks()["parts"], "the match was never over")

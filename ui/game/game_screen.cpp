@@ -144,7 +144,8 @@ void GameScreen::handle_input(const Input& input) {
   if (!window_.has_focus()) enter(State::kPaused);
 }
 
-// In menus the buttons of a gamepad are keys. An unplugged gamepad releases its buttons and sticks.
+// In menus the buttons of a gamepad are keys, but none that replaces another one. An unplugged gamepad
+// releases its buttons and sticks.
 void GameScreen::handle_gamepad() {
   static constexpr std::pair<int, int> kMenuKeys[] = {{GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP},
                                                       {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN},
@@ -178,7 +179,8 @@ void GameScreen::handle_gamepad() {
   for (const auto& [button, key] : kMenuKeys) {
     InputEvent event;
     event.button = event.place = key;
-    if (is_new(button)) handle_key(event);
+    if (!is_new(button)) continue;
+    rebound_ ? rebound_.reset() : handle_key(event);
   }
 }
 

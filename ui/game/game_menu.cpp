@@ -224,7 +224,9 @@ MenuChoice draw_pause_menu(const MenuView& view) {
   if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) draw_settings(view);
   if (ImGui::CollapsingHeader("Keys")) draw_keys(view.settings.keys, view.rebound);
   mark_last_item("keys");
-  ImGui::Checkbox("Debug Views", &view.settings.debug_views);
+  // Without their keys and checkboxes, views that are on could not be switched off.
+  if (ImGui::Checkbox("Debug Views", &view.settings.debug_views) && !view.settings.debug_views)
+    press_digit('0', view.view);
   mark_last_item("debug views");
   if (view.settings.debug_views) draw_views(view.view);
   end_menu();

@@ -220,6 +220,7 @@ class PlayRun {
     if (!arguments_.events.empty()) window.events = arguments_.events;
     auto opened = open_window(window);
     if (!opened) return opened.error();
+    options.look.scale *= (*opened)->scale();
     Gui gui(**opened);
     FrameLoop loop(**opened, gui);
     auto game = WindowedGame::begin(**opened, options);

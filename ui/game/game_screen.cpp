@@ -242,6 +242,8 @@ void GameScreen::handle_key(const InputEvent& event) {
   if (key == GLFW_KEY_R && state_ != State::kStart) return take(MenuChoice::kRestart);
   if (key == GLFW_KEY_B && state_ == State::kOver && replay_state() == MatchReplay::State::kOver)
     return begin_replay();
+  if (state_ == State::kOver && action_of_key(event.place, settings_.keys) == GameAction::kPause)
+    return escape();
   const bool is_enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_P;
   if (is_enter && state_ == State::kStart && !is_menu_navigated()) return begin_selected();
   navigate(key, event.mods);

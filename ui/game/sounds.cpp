@@ -329,7 +329,9 @@ void Sounds::hush() {
   alSourcePausev(static_cast<ALsizei>(device_->loops.size()), device_->loops.data());
 }
 
+// Chimes are for the player. The events of the match itself have no place.
 void MatchSounds::on_tick(const Match& match) {
+  const Vec3 own = match.world().body(match.vehicles()[Match::kPlayer].chassis).placement.position;
   for (const Event& e : match.events()) {
     switch (e.kind) {
       case Kind::kCut:
@@ -357,11 +359,11 @@ void MatchSounds::on_tick(const Match& match) {
       case Kind::kUpgraded:
       case Kind::kWaveCleared:
       case Kind::kWon:
-        sounds_.play(Shot::kGoodChime, e.at, 0.7);
+        sounds_.play(Shot::kGoodChime, own, 0.7);
         break;
       case Kind::kLost:
       case Kind::kCarLost:
-        sounds_.play(Shot::kBadChime, e.at, 0.7);
+        sounds_.play(Shot::kBadChime, own, 0.7);
         break;
       default:
         break;

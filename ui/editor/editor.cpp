@@ -35,8 +35,10 @@ class Games {
     game_->play(loop_);
     const GuiLook look = game_->look();
     if (!game_->wants_inspection()) {
+      const bool closes = game_->wants_close();
       game_.reset();
-      return screen_.resume_from_game(look, {});
+      screen_.resume_from_game(look, {});
+      return closes ? screen_.quit() : void();
     }
     const auto scene = save_match_as_scene(game_->match(), game_->view());
     screen_.resume_from_game(look, scene ? *scene : std::filesystem::path());

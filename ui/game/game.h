@@ -40,6 +40,8 @@ class WindowedGame {
   void play(FrameLoop& loop);
 
   bool wants_inspection() const;
+  // Returns true if the user closed the window.
+  bool wants_close() const;
   GuiLook look() const;
   const Match& match() const;
   View view() const;

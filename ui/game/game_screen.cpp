@@ -129,7 +129,7 @@ Vec3 GameScreen::aim() const {
 // Input
 
 void GameScreen::handle_input(const Input& input) {
-  if (input.close) leave_ = Leave::kAway;
+  if (input.close) leave_ = Leave::kClose;
   frames_due_ = input.events.empty() ? std::max(0, frames_due_ - 1) : kMenuFrames;
   // Keys before a change of the state are not for the new one.
   const State before = state_;
@@ -639,6 +639,7 @@ void WindowedGame::play(FrameLoop& loop) {
 }
 
 bool WindowedGame::wants_inspection() const { return screen_->leave() == GameScreen::Leave::kInspect; }
+bool WindowedGame::wants_close() const { return screen_->leave() == GameScreen::Leave::kClose; }
 GuiLook WindowedGame::look() const { return screen_->look(); }
 const Match& WindowedGame::match() const { return screen_->match(); }
 View WindowedGame::view() const { return screen_->view(); }

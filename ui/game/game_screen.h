@@ -23,7 +23,7 @@ namespace kerf {
 // while the match runs.
 class GameScreen : public Screen {
  public:
-  enum class Leave { kStay, kAway, kInspect };
+  enum class Leave { kStay, kAway, kInspect, kClose };
 
   // The window must outlive it. Precondition: an ImGui context is current.
   GameScreen(Window& window, MatchPicture picture, GameOptions options);

@@ -200,6 +200,13 @@ class Game(WindowTest):
                 game.pause(0.2)
             game.wait_for(lambda: self.playing(game), f"{keys} never resumed the match")
 
+    def test_closing_the_window_during_a_game_of_the_editor_ends_the_editor(self):
+        editor = self.open(SPHERE)
+        self.begin_from_editor(editor)
+        editor.send({"close": True})
+        editor.pause(1)
+        self.assertTrue(editor.has_ended(1.5))
+
     def test_the_editor_is_unchanged_after_the_game_and_opens_its_world(self):
         editor = self.open(SPHERE)
         self.begin_from_editor(editor)

@@ -125,6 +125,8 @@ class EditorScreen : public Screen {
   bool wants_game() const { return workspace_.links.leaves == Leaves::kForTheGame && !thread_.busy(); }
   // Called after the game, with a scene to open or an empty path.
   void resume_from_game(const GuiLook& look, const std::filesystem::path& scene);
+  // Ends the editor once the document is saved or may be discarded.
+  void quit() { workspace_.links.quit(); }
 
  private:
   void handle_input_event(const InputEvent& event);

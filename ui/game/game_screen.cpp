@@ -184,6 +184,9 @@ void GameScreen::handle_gamepad() {
   }
 }
 
+// No event reports a gamepad that is connected while the pause menu waits.
+void GameScreen::rest() { has_gamepad_ = has_gamepad_ || read_gamepad().has_value(); }
+
 bool GameScreen::can_upgrade() const {
   return state_ == State::kPlaying && match_->standing().phase == Standing::Phase::kPause &&
          !match_->has_upgraded();

@@ -47,6 +47,7 @@ class GameScreen : public Screen {
   void drawn() override;
   void took(const FrameTime& time) override;
   bool moving() const override { return state_ != State::kPaused || frames_due_ > 0 || has_gamepad_; }
+  void rest() override;
   bool over() const override { return leave_ != Leave::kStay; }
   std::optional<std::string> answer(const std::string& what) const override;
 

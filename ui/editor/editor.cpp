@@ -38,7 +38,8 @@ class Games {
       const bool closes = game_->wants_close();
       game_.reset();
       screen_.resume_from_game(look, {});
-      return closes ? screen_.quit() : void();
+      if (closes) screen_.quit();
+      return;
     }
     const auto scene = save_match_as_scene(game_->match(), game_->view());
     screen_.resume_from_game(look, scene ? *scene : std::filesystem::path());

@@ -180,7 +180,10 @@ void GameScreen::handle_gamepad() {
     InputEvent event;
     event.button = event.place = key;
     if (!is_new(button)) continue;
-    rebound_ ? rebound_.reset() : handle_key(event);
+    if (rebound_)
+      rebound_.reset();
+    else
+      handle_key(event);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
@@ -400,7 +401,17 @@ void draw_piece_handles(const ViewState& view, const std::optional<Vec3>& pivot,
 }
 
 Vec3 angles_of(const glm::dquat& orientation) {
-  const glm::dvec3 radians = glm::eulerAngles(orientation);
+  const glm::dquat& q = orientation;
+  // The turned X axis is (along, across, -sine).
+  const double along = q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z, across = 2 * (q.x * q.y + q.w * q.z);
+  const double sine = 2 * (q.w * q.y - q.x * q.z), cosine = std::hypot(along, across);
+  Vec3 radians(glm::pitch(q), std::atan2(sine, cosine), std::atan2(across, along));
+  // Rounding determines the direction of a shorter projection.
+  const double least_cosine = std::sqrt(std::numeric_limits<double>::epsilon());
+  if (cosine < least_cosine) {
+    radians.x = std::remainder(2 * std::atan2(q.x, q.w), kTurn);
+    radians.z = 0;
+  }
   return {tidy(radians.x / kRadiansOfDegree), tidy(radians.y / kRadiansOfDegree),
           tidy(radians.z / kRadiansOfDegree)};
 }

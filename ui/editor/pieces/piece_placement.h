@@ -158,7 +158,7 @@ void draw_piece_handles(const ViewState& view, const std::optional<Vec3>& pivot,
                         const std::optional<PieceMove>& move, Vec2 pointer, ImDrawList& list);
 
 // Converts to and from angles in degrees: the orientation turns about the world axes X, then Y, then Z. The
-// angle about Y is in [-90, 90].
+// angle about Y is in [-90, 90]. At its ends, where X and Z turn about the same axis, the angle about Z is 0.
 Vec3 angles_of(const glm::dquat& orientation);
 glm::dquat orientation_of(const Vec3& angles);
 

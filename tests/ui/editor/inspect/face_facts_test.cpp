@@ -77,6 +77,22 @@ TEST(PlacementAngles, round_trip_through_the_orientation) {
   EXPECT_LT(glm::length(turned - Vec3(0, 1, 0)), 1e-12);
 }
 
+TEST(PlacementAngles, describe_the_orientation_at_right_angles_about_y) {
+  for (const double y : {-90.0, 90.0}) {
+    for (double x = -180; x <= 180; x += 15) {
+      for (double z = -180; z <= 180; z += 45) {
+        const glm::dquat orientation = orientation_of({x, y, z});
+        const Vec3 angles = angles_of(orientation);
+        EXPECT_EQ(angles.y, y);
+        EXPECT_EQ(angles.z, 0.0);
+        const glm::dquat again = orientation_of(angles);
+        for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+          EXPECT_LT(glm::length(again * axis - orientation * axis), 1e-7) << x << " " << y << " " << z;
+      }
+    }
+  }
+}
+
 // Against points on a circle: the inscribed angle is half of the arc that it sees.
 TEST(Corner, has_the_inscribed_angle_and_the_radius_of_its_circle) {
   Random random(5);

@@ -190,7 +190,10 @@ class InspectFeature : public Feature {
     const auto clicked = measured_.empty() ? std::nullopt : std::optional(measured_.back());
     probe_.follow(workspace_.world(), workspace_.view, clicked, inspects());
   }
-  void on_document_opened() override { measured_.clear(); }
+  void on_document_opened() override {
+    measured_.clear();
+    probe_ = HeatProbe();
+  }
 
   void draw_overlay(ImDrawList& list) override {
     if (inspects() && measured_.size() == 1) draw_measured_point(workspace_.view, measured_.front(), list);
@@ -314,7 +317,8 @@ std::vector<std::string> lines_of(const FaceFacts& facts, const std::string& pie
 
 void HeatProbe::follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked,
                        bool inspects) {
-  if (clicked != at_) {
+  const bool keeps = !clicked && !inspects && view.look.show.heat;
+  if (clicked != at_ && !keeps) {
     at_ = clicked;
     samples_.clear();
     if (!at_) return;

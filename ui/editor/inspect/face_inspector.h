@@ -50,8 +50,8 @@ class HeatProbe {
     double temperature = kAmbient;
   };
 
-  // Called once per frame, while the world does not change, with the last clicked point. `inspects`: the
-  // inspect tool is active.
+  // Called once per frame, while the world does not change, with the last clicked point; nullopt ends the
+  // curve, unless another tool is used in the temperature view. `inspects`: the inspect tool is active.
   void follow(const World& world, const ViewState& view, const std::optional<Vec3>& clicked, bool inspects);
 
   const std::vector<Sample>& samples() const { return samples_; }

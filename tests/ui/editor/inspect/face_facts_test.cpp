@@ -13,6 +13,7 @@
 #include "core/base/random.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/pieces/piece_placement.h"
+#include "ui/editor/shared/viewport_pointer.h"
 
 namespace kerf {
 namespace {
@@ -64,6 +65,33 @@ TEST(FaceFacts, are_listed_with_border_edges_and_non_manifold_edges_named) {
   EXPECT_NE(all.find("boundary"), std::string::npos) << all;
   EXPECT_NE(all.find("fan 7"), std::string::npos) << all;
   EXPECT_NE(all.find("90.0"), std::string::npos) << all;
+}
+
+TEST(HeatProbe, records_with_other_tools_in_the_temperature_view_only) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(24, 32, 1))));
+  ViewState view;
+  view.layout = lay_out({1000, 700}, 16, 26, 26);
+  view.camera.look({0, 0, 5}, {0, 0, 0});
+  view.camera.finish();
+  view.look.show.heat = true;
+  const Vec2 place = view.layout.first.at + 0.5 * view.layout.first.size + Vec2(37, 21);
+  const auto surface = surface_point(world, view.look, PrimaryViewport(view).ray(place));
+  ASSERT_TRUE(surface);
+  HeatProbe probe;
+  probe.follow(world, view, surface->at, true);
+  ASSERT_EQ(probe.samples().size(), 1u);
+  world.pass(kTicksPerSecond);
+  probe.follow(world, view, std::nullopt, false);
+  EXPECT_EQ(probe.samples().size(), 2u);
+  view.look.show.heat = false;
+  probe.follow(world, view, std::nullopt, false);
+  EXPECT_FALSE(probe.at());
+  EXPECT_TRUE(probe.samples().empty());
+  view.look.show.heat = true;
+  probe.follow(world, view, surface->at, true);
+  probe.follow(world, view, std::nullopt, true);
+  EXPECT_FALSE(probe.at()) << "the measurement was cleared";
 }
 
 TEST(PlacementAngles, round_trip_through_the_orientation) {

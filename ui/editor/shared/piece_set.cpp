@@ -136,13 +136,12 @@ Bounds selected_bounds(const World& world, const PieceMap& looks) {
   Bounds bounds = Bounds::none();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
-    const auto is_selected = [&](FaceId f) {
-      const auto look = looks.find({id, body.mesh.data(f).piece});
-      return look != looks.end() && look->second.selected;
-    };
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-      if (!body.mesh.is_live(FaceId(f)) || !is_selected(FaceId(f))) continue;
-      for (const Vec3& corner : body.mesh.triangle(FaceId(f))) bounds.add(body.placement.to_world(corner));
+      if (!body.mesh.is_live(FaceId(f))) continue;
+      const auto look = looks.find({id, body.mesh.data(FaceId(f)).piece});
+      if (look == looks.end() || !look->second.selected) continue;
+      for (const Vec3& corner : body.mesh.triangle(FaceId(f)))
+        bounds.add(look->second.turn * body.placement.to_world(corner) + look->second.offset);
     }
   }
   return bounds;

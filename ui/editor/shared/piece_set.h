@@ -58,7 +58,8 @@ size_t selected_count(const PieceMap& looks);
 // Returns an error sentence if no piece is selected, otherwise null.
 const char* no_selection_reason(const PieceMap& looks);
 std::optional<PieceId> first_selected(const PieceMap& looks);
-// Returns the bounds of the selected pieces in world space; Bounds::none() if they have no faces. O(faces).
+// Returns the bounds of the selected pieces in world space, at the places where they are drawn;
+// Bounds::none() if they have no faces. O(faces).
 Bounds selected_bounds(const World& world, const PieceMap& looks);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 // Returns the pieces that are neither hidden nor selected.

@@ -94,6 +94,21 @@ TEST_F(CutSphere, explodes_its_halves) {
   EXPECT_TRUE(look.pieces.empty() && look.groups.empty());
 }
 
+TEST_F(CutSphere, the_bounds_of_the_selection_are_those_of_its_drawn_places) {
+  const World& world = document.world();
+  const PieceId half = list_pieces(world)[1].id;
+  ViewOptions look;
+  select_piece(look.pieces, half, false);
+  const Bounds in_place = selected_bounds(world, look.pieces);
+  spread_pieces(world, 0.5, look);
+  const Vec3 offset = look.pieces[half].offset;
+  ASSERT_NE(offset, Vec3(0));
+  const Bounds apart = selected_bounds(world, look.pieces);
+  const double size = in_place.diagonal();
+  EXPECT_LT(glm::length(apart.min - (in_place.min + offset)), 1e-12 * size);
+  EXPECT_LT(glm::length(apart.max - (in_place.max + offset)), 1e-12 * size);
+}
+
 TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {
   auto scene = read_scene(test::checkout() / "assets/scenes/car.json");
   ASSERT_TRUE(scene.ok()) << scene.error().message;

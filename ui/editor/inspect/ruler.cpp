@@ -141,6 +141,7 @@ class RulerFeature : public Feature {
       workspace_.message.error("Measure in the left half.");
       return std::make_unique<ClickOnce>([] {});
     }
+    end_exploded_view(workspace_.world(), workspace_.view);
     if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
     return std::make_unique<ClickOnce>([this] { measure(); });
   }

@@ -254,10 +254,7 @@ const PieceMove& Moving::move() const {
 void Moving::begin(const World& world, PieceMove::Kind kind, Vec2 pointer) {
   KERF_ASSERT(move_disabled_reason(view_.look.pieces) == nullptr);
   const PieceId piece = *first_selected(view_.look.pieces);
-  if (view_.spread != 0) {
-    view_.spread = 0;
-    spread_pieces(world, 0, view_.look);
-  }
+  end_exploded_view(world, view_);
   const Body& body = world.body(piece.body);
   move_.emplace(kind, piece, body.placement, pivot_of(body, piece.label), view_.seen_first(),
                 view_.in_first(pointer));

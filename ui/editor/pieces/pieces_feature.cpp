@@ -437,8 +437,9 @@ class PiecesFeature : public Feature {
     property("Explode");
     double& spread = workspace_.view.spread;
     ImGui::BeginDisabled(one_piece);
-    const char* meaning = one_piece ? "There is only one piece: cut a piece off first."
-                                    : "Draws the pieces apart without moving them; the next cut resets it.";
+    const char* meaning =
+        one_piece ? "There is only one piece: cut a piece off first."
+                  : "Draws the pieces apart without moving them; a cut or a measurement resets it.";
     if (real_slider({"Explode", "##spread", meaning}, spread, 0, kMaxSpread, "%.2f", {},
                     spread == 0 ? "together" : "")) {
       spread_further(workspace_.world(), spread, workspace_.view.look);

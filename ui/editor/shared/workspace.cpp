@@ -42,6 +42,7 @@ void end_exploded_view(const World& world, ViewState& view) {
   if (view.spread == 0) return;
   view.spread = 0;
   spread_pieces(world, 0, view.look);
+  view.picture_old = true;
 }
 
 UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,

@@ -9,6 +9,7 @@
 #include "ui/editor/inspect/rim_circle.h"
 #include "ui/editor/shared/viewport.h"
 #include "ui/editor/shell/editor_screen.h"
+#include "ui/render/view/view_options.h"
 
 namespace kerf {
 namespace {
@@ -58,6 +59,35 @@ TEST(RulerFeature, two_clicks_add_a_measurement_to_the_document_and_cut_nothing)
   EXPECT_EQ(bench.workspace.session.document.history().totals().strokes, 0u);
   bench.run("ruler.undo");
   EXPECT_TRUE(bench.kept().is_null());
+}
+
+TEST(RulerFeature, a_click_ends_the_exploded_view_and_measures_true_positions) {
+  RulerBench bench;
+  World world;
+  for (const double x : {-0.7, 0.7}) {
+    const BodyId id = world.add(make_body("ball", test::build(test::sphere(24, 32, 0.5))));
+    world.body(id).placement.position = {x, 0, 0};
+  }
+  bench.workspace.session.document = Document(std::move(world));
+  ViewState& view = bench.workspace.view;
+  const auto explode = [&] {
+    view.spread = 0.5;
+    spread_pieces(bench.workspace.world(), view.spread, view.look);
+    view.picture_old = false;
+  };
+  explode();
+  bench.click({-0.7, 0, 0.5});
+  EXPECT_EQ(view.spread, 0.0);
+  EXPECT_TRUE(view.picture_old);
+  bench.click({0.7, 0, 0.5});
+  ASSERT_EQ(bench.kept().size(), 1u);
+  const nlohmann::json from = bench.kept()[0]["from"];
+  const Vec3 out(from[0].get<double>() + 0.7, from[1].get<double>(), from[2].get<double>());
+  EXPECT_GT(glm::length(out), 0.48) << "on the ball in its true place";
+  bench.workspace.input.tool = kInspectTool;
+  explode();
+  bench.click({-0.7, 0, 0.5});
+  EXPECT_EQ(view.spread, 0.0);
 }
 
 TEST(RulerFeature, a_click_in_the_right_half_of_a_split_view_begins_no_stroke) {

@@ -17,8 +17,9 @@ namespace {
 constexpr int kSteps = 20;          // of Gauss-Newton; it converges quadratically near the solution
 constexpr double kReachOfRim = 14;  // screen coordinates
 constexpr double kSameEdge = 0.5;   // screen coordinates; rims that are equally near share an edge
-constexpr double kBeforeRim =
-    1e-3;  // share of the distance from the eye by which a face may be in front of it
+// Share of the distance from the eye by which a face may be in front of a visible rim, and the rim over the
+// section plane.
+constexpr double kBeforeRim = 1e-3;
 
 // The symmetric equations of three unknowns: sums of w * a a^T and w * a b.
 struct NormalEquations {
@@ -205,6 +206,8 @@ bool is_visible(const World& world, const ViewState& view, const Vec3& point) {
   if (!place) return false;
   const Pose ray = viewport.ray(*place);
   const double distance = glm::dot(point - ray.origin, ray.direction);
+  const SectionPlane* section = shown_section(view.look);
+  if (section != nullptr && section->height_of(point) > kBeforeRim * distance) return false;
   const auto hit = pick(world, view.look, ray);
   return !hit || hit->length > (1 - kBeforeRim) * distance;
 }

@@ -119,6 +119,12 @@ TEST(RulerFeature, the_rim_at_a_place_is_the_visible_one) {
   ASSERT_TRUE(circle);
   EXPECT_NEAR(circle->radius, 0.5, 1e-9);
   EXPECT_NEAR(circle->centre.y, bounds.max.y, 1e-9);
+  ViewOptions& look = bench.workspace.view.look;
+  look.show.section = true;
+  look.section = SectionPlane{0.5 * (bounds.min + bounds.max), {0, 1, 0}};
+  EXPECT_FALSE(rim_at(bench.workspace.world(), bench.workspace.view, bench.seen(front)));
+  look.section->point = front;
+  EXPECT_TRUE(rim_at(bench.workspace.world(), bench.workspace.view, bench.seen(front)));
 }
 
 TEST(RulerFeature, dragging_an_end_moves_it_in_one_undo_entry) {

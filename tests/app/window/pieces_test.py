@@ -77,6 +77,22 @@ class Pieces(WindowTest):
         report = editor.quit()
         self.assertEqual((report["pieces"], report["pieces_hidden"], report["undo_depth"]), (4, 0, 3))
 
+    def test_a_piece_hidden_after_show_all_stays_hidden_when_another_is_isolated(self):
+        editor = self.open(SPHERE)
+        for down in (0.35, 0.5, 0.65):
+            editor.drag([(0.2, down), (0.8, down)])
+        editor.press("k")
+        editor.click(0.5, 0.42)
+        editor.do("slash")
+        editor.do("shift", "h")
+        editor.do("Escape")
+        editor.click(0.5, 0.58)
+        editor.do("h")
+        editor.click(0.5, 0.42)
+        editor.do("slash")
+        report = editor.quit()
+        self.assertEqual((report["pieces"], report["pieces_chosen"], report["pieces_hidden"]), (4, 1, 3))
+
     def picture(self, editor):
         """The colours of the picture at points of a grid, once it is smooth, while the pointer is in a corner."""
         editor.point_at(0.02, 0.04)

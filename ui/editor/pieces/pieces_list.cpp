@@ -228,12 +228,23 @@ void Isolation::change() {
 }
 
 void Isolation::follow() {
-  if (!hidden_before_) return;
-  isolated_from_ = hidden_bodies(workspace_.world());
-  std::erase_if(isolated_from_, [&](const BodyId& id) {
-    return std::find(hidden_before_->begin(), hidden_before_->end(), id) != hidden_before_->end();
-  });
-  hidden_before_.reset();
+  if (!hidden_before_ && isolated_from_.empty()) return;
+  const std::vector<BodyId> hidden = hidden_bodies(workspace_.world());
+  const auto among = [](const std::vector<BodyId>& ids) {
+    return [&ids](const BodyId& id) { return std::ranges::find(ids, id) != ids.end(); };
+  };
+  if (hidden_before_) {
+    isolated_from_ = hidden;
+    std::erase_if(isolated_from_, among(*hidden_before_));
+    hidden_before_.reset();
+    is_over_ = false;
+  } else if (std::ranges::all_of(isolated_from_, among(hidden))) {
+    is_over_ = false;  // a redo, or an undo of showing them
+  } else if (std::ranges::none_of(isolated_from_, among(hidden))) {
+    is_over_ = true;
+  } else if (is_over_) {
+    isolated_from_.clear();
+  }
 }
 
 bool eye_switch(bool open, const char* meaning) {

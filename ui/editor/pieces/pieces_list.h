@@ -11,7 +11,8 @@
 
 namespace kerf {
 
-// Isolates pieces: hides all pieces except the selected ones, and later shows only those that it hid.
+// Isolates pieces: hides all pieces except the selected ones, and later shows only those that it hid, until
+// all of them were shown and some are hidden by other means.
 class Isolation {
  public:
   // The workspace must outlive it.
@@ -31,6 +32,7 @@ class Isolation {
 
   Workspace& workspace_;
   std::vector<BodyId> isolated_from_;                 // bodies hidden by isolation
+  bool is_over_ = false;                              // all of them were shown again
   std::optional<std::vector<BodyId>> hidden_before_;  // while an isolation is in progress
 };
 

@@ -162,8 +162,8 @@ void name_loaded_parts(std::vector<PieceTreeRow>& rows, const World& world, cons
 // name_loaded_parts() has not named. Precondition: its body exists.
 std::string words_on(const PieceTreeRow& row, const Document& document, const PieceMap& looks, FileUnit unit);
 
-// Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a piece
-// and shows its description.
+// Draws the tree: origin, history step, holder and remaining faces of each piece. A click selects a visible
+// piece and shows its description.
 void draw_piece_tree(const std::vector<PieceTreeRow>& rows, const Document& document, ViewState& view);
 
 }  // namespace kerf

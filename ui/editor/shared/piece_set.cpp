@@ -103,6 +103,7 @@ Vec3 strong_piece_colour(uint32_t number) {
 
 void select_piece(PieceMap& looks, const PieceId& id, bool add) {
   const auto found = looks.find(id);
+  if (found != looks.end() && found->second.hidden) return;
   const bool was = found != looks.end() && found->second.selected;
   const bool alone = was && selected_count(looks) == 1;
   if (!add) deselect_all(looks);

@@ -51,7 +51,7 @@ Vec3 strong_piece_colour(uint32_t number);
 void drop_plain(PieceMap& looks);
 
 // Selects only this piece, or deselects it if it was the only selected one. `add`: toggles this piece and
-// keeps the rest of the selection.
+// keeps the rest of the selection. No-op for a hidden piece.
 void select_piece(PieceMap& looks, const PieceId& id, bool add);
 void deselect_all(PieceMap& looks);
 size_t selected_count(const PieceMap& looks);

@@ -28,6 +28,17 @@ TEST(PieceSet, a_click_selects_one_and_shift_adds) {
   EXPECT_TRUE(looks.empty());
 }
 
+TEST(PieceSet, a_hidden_piece_is_not_selected) {
+  PieceMap looks;
+  looks[key(1)].hidden = true;
+  select_piece(looks, key(2), false);
+  for (const bool add : {false, true}) {
+    select_piece(looks, key(1), add);
+    EXPECT_FALSE(looks[key(1)].selected);
+    EXPECT_EQ(first_selected(looks), key(2));
+  }
+}
+
 // A sphere whose last stroke went through its middle.
 class CutSphere : public testing::Test {
  protected:

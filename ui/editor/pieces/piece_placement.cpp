@@ -486,7 +486,8 @@ class TransformFeature : public Feature {
   bool handle_event(const InputEvent& event, bool in_picture) override {
     if (!moving_.moves()) return false;
     if (event.kind == InputEvent::Kind::kKey) {
-      take_key(event.button);
+      // A held key must not flip the axis or begin the move again.
+      if (!event.again || event.button == GLFW_KEY_BACKSPACE) take_key(event.button);
       return true;
     }
     const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;

@@ -209,6 +209,29 @@ TEST(Moving, previews_the_motion_and_requests_one_change_at_the_end) {
   EXPECT_FALSE(b.key(GLFW_KEY_X));
 }
 
+TEST(Moving, a_held_key_counts_once_except_backspace) {
+  Bench b;
+  b.run("pieces.move");
+  const auto hold = [&](int key) {
+    EXPECT_TRUE(b.key(key));
+    EXPECT_TRUE(
+        b.feature->handle_event({.kind = InputEvent::Kind::kKey, .button = key, .again = true}, false));
+  };
+  InputEvent event{InputEvent::Kind::kMove, b.workspace.input.pointer + Vec2(40, 0)};
+  b.feature->handle_event(event, true);
+  const Vec3 offset = b.look().offset;
+  EXPECT_NE(offset, Vec3(0));
+  event = {.kind = InputEvent::Kind::kKey, .button = GLFW_KEY_G, .again = true};
+  EXPECT_TRUE(b.feature->handle_event(event, false));
+  EXPECT_EQ(b.look().offset, offset);
+  hold(GLFW_KEY_Y);
+  hold(GLFW_KEY_2);
+  EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
+  b.keys("34");
+  hold(GLFW_KEY_BACKSPACE);
+  EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
+}
+
 TEST(Moving, ends_with_a_move_command) {
   Bench b;
   Moving moving(b.workspace.view);

@@ -295,7 +295,10 @@ std::optional<Command> Moving::confirm() {
 }
 
 void Moving::drop_if_lost(const World& world) {
-  if (move_ && !has_faces(world, move_->piece())) end();
+  const PieceMap& looks = view_.look.pieces;
+  if (move_ && (!has_faces(world, move_->piece()) || move_disabled_reason(looks) != nullptr ||
+                first_selected(looks) != move_->piece()))
+    end();
 }
 
 namespace {

@@ -127,7 +127,7 @@ class Moving {
   void end();
   // Like end(), and returns the command that moves the piece; nullopt if it does not move.
   std::optional<Command> confirm();
-  // Ends the move if its piece no longer exists.
+  // Ends the move if its piece does not exist or is not the only selected one, as after it was hidden.
   void drop_if_lost(const World& world);
   // Discards the move because another document was opened.
   void forget() { move_.reset(); }

@@ -254,6 +254,25 @@ TEST(Moving, requests_nothing_when_cancelled_or_unmoved) {
   EXPECT_FALSE(b.workspace.changes.has_requests());
 }
 
+TEST(Moving, ends_if_its_piece_is_hidden_or_another_is_selected) {
+  Bench b;
+  PieceMap& looks = b.workspace.view.look.pieces;
+  b.run("pieces.move");
+  b.keys("Y2");
+  b.feature->update(0);
+  EXPECT_TRUE(b.look().is_away());
+  looks[{b.id, 0}].selected = false;
+  looks[{b.id, 0}].hidden = true;
+  b.feature->update(0);
+  EXPECT_FALSE(b.look().is_away());
+  EXPECT_FALSE(b.key(GLFW_KEY_R));
+  looks[{b.id, 0}] = {.selected = true};
+  b.run("pieces.move");
+  looks[{b.id, 7}].selected = true;
+  b.feature->update(0);
+  EXPECT_FALSE(b.key(GLFW_KEY_R));
+}
+
 TEST(Moving, holds_time_until_it_ends) {
   Bench b;
   EXPECT_EQ(b.workspace.time_disabled_reason(), nullptr);

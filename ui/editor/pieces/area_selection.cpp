@@ -55,7 +55,11 @@ bool touches(const RubberBand& band, const Corners& corners) {
 class PiecesOfBody {
  public:
   PiecesOfBody(BodyId id, const Body& body, const ViewOptions& options)
-      : body_(body), looks_(id, body, options), decided_(body.pieces.size()), selected_(body.pieces.size()) {
+      : body_(body),
+        looks_(id, body, options),
+        section_(shown_section(options)),
+        decided_(body.pieces.size()),
+        selected_(body.pieces.size()) {
     for (uint32_t label = 0; label < body.pieces.size(); ++label) decided_[label] = looks_.of(label).hidden;
   }
 
@@ -67,8 +71,9 @@ class PiecesOfBody {
       if (!body_.mesh.is_live(FaceId(f))) continue;
       const uint32_t label = body_.mesh.data(FaceId(f)).piece;
       if (decided_[label]) continue;
-      const std::optional<Corners> seen =
-          corners_of(FaceId(f), looks_.of(body_.mesh, FaceId(f)).offset, view);
+      const Vec3& offset = looks_.of(body_.mesh, FaceId(f)).offset;
+      if (is_cut_away(FaceId(f), offset)) continue;
+      const std::optional<Corners> seen = corners_of(FaceId(f), offset, view);
       if (!touching) selected_[label] = true;
       const bool in = seen && meets(*seen);
       if (in != touching) continue;
@@ -79,6 +84,13 @@ class PiecesOfBody {
   bool selected(uint32_t label) const { return selected_[label]; }
 
  private:
+  bool is_cut_away(FaceId face, const Vec3& offset) const {
+    if (section_ == nullptr) return false;
+    const Triangle t = body_.mesh.triangle(face);
+    return std::ranges::all_of(t, [&](const Vec3& corner) {
+      return section_->height_of(body_.placement.to_world(corner) + offset) > 0;
+    });
+  }
   // Returns nullopt if a corner lies behind the eye.
   std::optional<Corners> corners_of(FaceId face, const Vec3& offset, const CameraView& view) const {
     const Triangle t = body_.mesh.triangle(face);
@@ -93,6 +105,7 @@ class PiecesOfBody {
 
   const Body& body_;
   BodyLooks looks_;
+  const SectionPlane* section_;           // null: none
   std::vector<char> decided_, selected_;  // by label
 };
 

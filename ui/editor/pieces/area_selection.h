@@ -44,7 +44,8 @@ class Lasso {
 };
 
 // Return the visible pieces that a box or a lasso selects, at the places where they are drawn. Points as in
-// CameraView::ray. Faces behind the eye are outside. O(n) in the number of faces.
+// CameraView::ray. Faces behind the eye are outside, and those that the section plane removes do not count.
+// O(n) in the number of faces.
 std::vector<PieceId> pieces_in(const RubberBand& band, const World& world, const ViewOptions& look,
                                const CameraView& view);
 std::vector<PieceId> pieces_in(const Lasso& lasso, const World& world, const ViewOptions& look,

@@ -53,6 +53,19 @@ TEST(RubberBand, tests_pieces_at_their_drawn_position_and_skips_hidden_ones) {
   EXPECT_EQ(selected(world, low, high, look), 0u);
 }
 
+TEST(RubberBand, ignores_faces_that_the_section_plane_removes) {
+  const World world = three_spheres();
+  ViewOptions look;
+  look.show.section = true;
+  look.section = SectionPlane{{-0.1, 0, 0}, {1, 0, 0}};
+  const Vec2 low = seen({-2.7, -0.7, 0}), high = seen({2.7, 0.7, 0});
+  EXPECT_EQ(selected(world, low, high, look), 2u);
+  EXPECT_EQ(selected(world, high, low, look), 2u);
+  EXPECT_EQ(selected(world, low, seen({0.2, 0.7, 0}), look), 2u) << "the rest of the middle sphere is inside";
+  look.show.section = false;
+  EXPECT_EQ(selected(world, low, high, look), 3u);
+}
+
 // Against points of the face, which lie closer together than the margin.
 TEST(RubberBand, touches_a_triangle_only_if_they_share_a_point) {
   constexpr int kSamples = 200;

@@ -286,7 +286,10 @@ class GraphFeature : public Feature {
             .inputs = [this] { return inputs_of(workspace_.session); }},
            workspace_.settings.folder, "graph.svg");
   }
+  // The panel may have been hidden since the graph was read.
   std::string export_to(const std::filesystem::path& file) {
+    graph_.follow(workspace_.session.document, workspace_.links.holds_back());
+    if (graph_.is_left_out()) return "Draw the graph of the large mesh in the Graph panel first";
     if (!graph_.drawn()) return "There is no graph";
     const Status written = write_file_atomically(file, graph_svg(*graph_.drawn(), graph_.layout()));
     if (!written) return written.error().message;

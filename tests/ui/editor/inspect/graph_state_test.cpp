@@ -6,8 +6,10 @@
 #include "core/document/cut_effects.h"
 #include "core/document/scene.h"
 #include "tests/support/checkout.h"
+#include "tests/support/editor_features.h"
 #include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/editor/inspect/graph_views.h"
 #include "ui/editor/shared/piece_set.h"
 
@@ -49,6 +51,31 @@ TEST(GraphState, updates_only_when_no_stroke_is_being_cut) {
   EXPECT_EQ(graph.total(), document.world().live_faces());
   EXPECT_EQ(graph.removed(), document.history().totals().removed_faces);
   EXPECT_FALSE(graph.closings().empty());
+}
+
+TEST(GraphFeature, exports_the_graph_of_the_present_document) {
+  test::EditorFeatures editor;
+  Workspace& workspace = editor.workspace;
+  const test::TemporaryFolder folder;
+  workspace.session.document = sheet_to_cut();
+  const std::unique_ptr<Feature> feature = graph_feature(workspace);
+  workspace.services.panels.show("graph");
+  feature->after_queue(0);
+  const auto exported = [&](const std::string& name) {
+    for (const UserAction& action : feature->actions()) {
+      EXPECT_EQ(action.objection(), nullptr);
+      action.run();
+    }
+    EXPECT_EQ(workspace.services.browser.request.take(folder / name), "");
+    return test::read_text(folder / name);
+  };
+  const std::string before = exported("before.svg");
+  EXPECT_EQ(exported("again.svg"), before);
+  workspace.services.panels.fold("graph");
+  cut_at(workspace.session.document, 0.1);
+  run_queue(workspace.session.document);
+  feature->after_queue(0);
+  EXPECT_NE(exported("after.svg"), before);
 }
 
 TEST(GraphState, is_read_again_for_a_document_that_looks_like_the_last_one) {

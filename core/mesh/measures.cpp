@@ -324,7 +324,11 @@ EnclosedVolume enclosed_volume(const Mesh& mesh, const Vec3& origin) {
 }
 
 std::vector<bool> closed_pieces(const Mesh& mesh, uint32_t labels) {
-  const WeldedFaces welded = weld_faces(mesh, live_faces(mesh));
+  return closed_pieces(mesh, live_faces(mesh), labels);
+}
+
+std::vector<bool> closed_pieces(const Mesh& mesh, std::span<const FaceId> faces, uint32_t labels) {
+  const WeldedFaces welded = weld_faces(mesh, faces);
   std::vector<bool> closed(labels, false);
   for (const uint32_t label : welded.labels) {
     KERF_ASSERT(label < labels);

@@ -70,5 +70,7 @@ EnclosedVolume enclosed_volume(std::span<const Vec3> positions,
 // Returns, for each label below `labels`, whether the live faces of that piece are closed. Precondition: all
 // labels in the mesh are below `labels`. O(face slots + vertex slots).
 std::vector<bool> closed_pieces(const Mesh& mesh, uint32_t labels);
+// The same for some live faces; other pieces count as open. O(faces + vertex slots).
+std::vector<bool> closed_pieces(const Mesh& mesh, std::span<const FaceId> faces, uint32_t labels);
 
 }  // namespace kerf

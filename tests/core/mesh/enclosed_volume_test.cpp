@@ -119,6 +119,9 @@ TEST(ClosedPieces, are_identified_by_label) {
   Mesh mesh = build(both(brick({1, 1, 1}), moved(brick({1, 1, 1}), {1, 0, 0}, 1))).mesh;
   for (uint32_t f = 12; f < 24; ++f) mesh.edit_data(FaceId(f)).piece = 2;
   EXPECT_EQ(closed_pieces(mesh, 4), (std::vector<bool>{true, false, true, false}));
+  std::vector<FaceId> second;
+  for (uint32_t f = 12; f < 24; ++f) second.emplace_back(f);
+  EXPECT_EQ(closed_pieces(mesh, second, 4), (std::vector<bool>{false, false, true, false}));
   mesh.edit_data(FaceId(5)).piece = 1;
   EXPECT_EQ(closed_pieces(mesh, 4), (std::vector<bool>{false, false, true, false}));
   mesh.remove_face(FaceId(20));

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -431,20 +432,34 @@ void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
   ImGui::EndTable();
 }
 
+namespace {
+
+void add_measures(const Body& body, const std::vector<bool>& is_measured, PieceMeasures& measures) {
+  const Mesh& mesh = body.mesh;
+  std::vector<FaceId> faces;
+  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (mesh.is_live(FaceId(f)) && is_measured[mesh.data(FaceId(f)).piece]) faces.emplace_back(f);
+  }
+  for (const FaceId face : faces) measures.area += triangle_area(mesh.triangle(face));
+  const std::vector<bool> closed = closed_pieces(mesh, faces, body.pieces.size());
+  for (size_t label = 0; label < closed.size(); ++label) {
+    if (is_measured[label] && !closed[label]) measures.volume.reset();
+  }
+  if (measures.volume)
+    *measures.volume += enclosed_volume(mesh, faces, mesh.triangle(faces.front())[0]).volume;
+}
+
+}  // namespace
+
 PieceMeasures measure_pieces(const World& world, const std::vector<PieceId>& pieces) {
   PieceMeasures measures{.pieces = pieces.size(), .volume = 0.0};
+  std::map<BodyId, std::vector<bool>> bodies;  // by label: true if measured
   for (const PieceId& id : pieces) {
-    const Mesh& mesh = world.body(id.body).mesh;
-    std::vector<FaceId> faces;
-    for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-      if (mesh.is_live(FaceId(f)) && mesh.data(FaceId(f)).piece == id.label) faces.emplace_back(f);
-    }
-    for (const FaceId face : faces) measures.area += triangle_area(mesh.triangle(face));
-    const Vec3 origin = faces.empty() ? Vec3(0) : mesh.triangle(faces.front())[0];
-    const EnclosedVolume enclosed = enclosed_volume(mesh, faces, origin);
-    if (!enclosed.closed) measures.volume.reset();
-    if (measures.volume) *measures.volume += enclosed.volume;
+    std::vector<bool>& is_measured = bodies[id.body];
+    is_measured.resize(world.body(id.body).pieces.size());
+    is_measured[id.label] = true;
   }
+  for (const auto& [id, is_measured] : bodies) add_measures(world.body(id), is_measured, measures);
   return measures;
 }
 

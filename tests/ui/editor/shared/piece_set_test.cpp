@@ -7,6 +7,7 @@
 #include "tests/support/checkout.h"
 #include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
+#include "ui/editor/pieces/pieces_list.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/view/view_options.h"
 
@@ -118,6 +119,23 @@ TEST_F(CutSphere, the_bounds_of_the_selection_are_those_of_its_drawn_places) {
   const double size = in_place.diagonal();
   EXPECT_LT(glm::length(apart.min - (in_place.min + offset)), 1e-12 * size);
   EXPECT_LT(glm::length(apart.max - (in_place.max + offset)), 1e-12 * size);
+}
+
+TEST_F(CutSphere, the_measures_of_pieces_of_one_body_add_up) {
+  const World& world = document.world();
+  std::vector<PieceId> halves;
+  double area = 0;
+  for (const PieceRow& row : list_pieces(world)) {
+    halves.push_back(row.id);
+    const PieceMeasures half = measure_pieces(world, {row.id});
+    EXPECT_NEAR(half.area, row.area, 1e-9 * row.area);
+    EXPECT_FALSE(half.volume);
+    area += half.area;
+  }
+  const PieceMeasures both = measure_pieces(world, halves);
+  EXPECT_EQ(both.pieces, 2u);
+  EXPECT_NEAR(both.area, area, 1e-12 * area);
+  EXPECT_FALSE(both.volume);
 }
 
 TEST(PieceSet, articulated_parts_are_listed_after_pieces_by_mesh_name) {

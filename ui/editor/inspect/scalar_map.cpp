@@ -454,6 +454,7 @@ class ScalarMapFeature : public Feature {
   bool cancel() override {
     if (!loader_.busy()) return false;
     loader_.cancel();
+    alignment_ = reference_alignment_;
     message_.info("The comparison was cancelled.");
     return true;
   }
@@ -538,7 +539,11 @@ class ScalarMapFeature : public Feature {
     services_.panels.show(kScalarPanel);
   }
   void on_loaded(const Result<std::shared_ptr<const ReferenceMesh>>& loaded) {
-    if (!loaded) return message_.error(loaded.error().message);
+    if (!loaded) {
+      alignment_ = reference_alignment_;
+      return message_.error(loaded.error().message);
+    }
+    reference_alignment_ = alignment_;
     const SurfaceComparison& found = (*loaded)->found;
     const auto length = [this](double d) {
       return quantity_text(FaceQuantity::kDeviation, d, view_.frame.unit);
@@ -653,7 +658,8 @@ class ScalarMapFeature : public Feature {
   Message& message_;
   ScalarMap map_;
   ReferenceLoader loader_;
-  Alignment alignment_ = Alignment::kNone;
+  Alignment alignment_ = Alignment::kNone;            // selected
+  Alignment reference_alignment_ = Alignment::kNone;  // of the last completed comparison
   NumberFields fields_;
   FileUnit unit_ = FileUnit::kMetre;  // of the labels in the viewport
   double next_ = 0;                   // s of the clock, before which no values are computed

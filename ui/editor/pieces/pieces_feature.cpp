@@ -625,9 +625,10 @@ Result<ExportedPieces> export_selected(const World& world, const PieceMap& looks
 }
 
 std::string unused_name(const World& world, const PieceMap& looks, const fs::path& folder,
-                        const std::string& name) {
+                        const std::string& name, bool single_file) {
   const auto exists = [&](const std::string& candidate) {
-    return std::ranges::any_of(files_to_export(world, looks, folder / candidate), [](const PieceFile& f) {
+    const std::vector<PieceFile> files = files_to_export(world, looks, folder / candidate, single_file);
+    return std::ranges::any_of(files, [](const PieceFile& f) {
       std::error_code unknown;
       return fs::exists(f.mesh, unknown);
     });
@@ -668,7 +669,7 @@ void PieceExport::select_file() {
           .inputs = [this] { return inputs_of(workspace_.session); }},
          workspace_.settings.folder,
          unused_name(workspace_.world(), workspace_.view.look.pieces, workspace_.settings.folder,
-                     suggested_name()));
+                     suggested_name(), workspace_.services.browser.single_file));
 }
 
 std::string PieceExport::export_to(const std::filesystem::path& file) {

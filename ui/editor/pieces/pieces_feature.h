@@ -33,7 +33,7 @@ std::vector<PieceFile> files_to_export(const World& world, const PieceMap& looks
 
 // Returns `name`, or with "-2", "-3" etc. added if its files_to_export() in the folder exist.
 std::string unused_name(const World& world, const PieceMap& looks, const std::filesystem::path& folder,
-                        const std::string& name);
+                        const std::string& name, bool single_file = false);
 
 // The files of an export, and what their format lost.
 struct ExportedPieces {

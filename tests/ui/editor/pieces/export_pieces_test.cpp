@@ -66,6 +66,10 @@ TEST(ExportPieces, suggests_a_name_whose_files_do_not_exist) {
   for (const char* taken : {"tube.obj", "tube-2.obj"}) std::ofstream(folder.path() / taken) << '\n';
   EXPECT_EQ(unused_name(world, one, folder.path(), "tube.obj"), "tube-3.obj");
   EXPECT_EQ(unused_name(world, all_selected(world), folder.path(), "*.obj"), "*-3.obj");
+  EXPECT_EQ(unused_name(world, all_selected(world), folder.path(), "*.glb", true), "*.glb");
+  std::ofstream(folder.path() / "pieces.glb") << '\n';
+  EXPECT_EQ(unused_name(world, all_selected(world), folder.path(), "*.glb", true), "*-2.glb");
+  EXPECT_EQ(unused_name(world, all_selected(world), folder.path(), "*.glb"), "*.glb");
 }
 
 TEST(ExportPieces, writes_the_mtl_materials_of_a_piece_next_to_an_obj_file) {

@@ -64,6 +64,16 @@ class ScalarMap(WindowTest):
         self.assertEqual(self.map_of(editor), before)
         editor.quit()
 
+    def test_fields_of_a_range_that_ends_at_zero_keep_their_unit(self):
+        editor = self.open_map("longest edge")
+        for end, text in (("From", "-10 mm"), ("To", "0 mm"), ("From", "nothing")):
+            editor.click(end, 0.5, 0.5)
+            editor.press("ctrl", "a")
+            editor.type(text)
+            editor.do("Return")
+        self.assertIn("From stays -10 mm: ", editor.ask("report")["messages"][-1])
+        editor.quit()
+
     def test_follows_a_cut_and_its_undo(self):
         editor = self.open_map("level")
         before = self.map_of(editor)

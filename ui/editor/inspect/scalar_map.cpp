@@ -626,11 +626,13 @@ class ScalarMapFeature : public Feature {
                              : "To stays " + shown + ": it must be more than From");
   }
   bool draw_end(const char* name, double& end, const char* meaning) {
+    const ScalarRange& range = map_.range();
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
     switch (*map_.shown()) {
       case FaceQuantity::kLongestEdge:
       case FaceQuantity::kRimDistance:
       case FaceQuantity::kDeviation:
-        return length_field(fields_, name, end, label_unit(map_.range().high, view_.frame.unit), meaning);
+        return length_field(fields_, name, end, label_unit(largest, view_.frame.unit), meaning);
       case FaceQuantity::kMinAngle:
         return fields_.number(name, end, "%.1f", meaning, {Quantity::kAngle, kDegrees.size, "\u00b0"});
       case FaceQuantity::kTemperature:

@@ -1,12 +1,14 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/checkout.h"
@@ -115,6 +117,17 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(first_selected(looks), PieceId(workspace.world().ids().back(), 0));
   find_action(actions, "pieces.select_similar")->run();
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
+}
+
+TEST_F(Actions, a_held_enter_counts_once_in_the_file_browser) {
+  FileBrowser& browser = workspace.services.browser;
+  browser.open = true;
+  for (const bool again : {false, true}) {
+    const InputEvent event{.kind = InputEvent::Kind::kKey, .button = GLFW_KEY_ENTER, .again = again};
+    EXPECT_TRUE(std::ranges::any_of(
+        editor.features, [&](const auto& feature) { return feature->handle_event(event, false); }));
+    EXPECT_EQ(std::exchange(browser.keys.enter, false), !again);
+  }
 }
 
 TEST_F(Actions, paste_needs_a_copied_piece_that_exists) {

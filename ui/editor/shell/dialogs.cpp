@@ -198,12 +198,14 @@ class Dialogs : public Feature {
 
   bool handle_event(const InputEvent& event, bool) override {
     if (event.kind != InputEvent::Kind::kKey) return false;
+    // A held Enter must not accept the next window, or confirm what the first press has asked.
+    const bool counts = !event.again || (event.button != GLFW_KEY_ENTER && event.button != GLFW_KEY_KP_ENTER);
     if (workspace_.services.browser.open) {
-      browser_key(workspace_.services.browser, event.button);
+      if (counts) browser_key(workspace_.services.browser, event.button);
     } else if (palette_.open) {
-      palette_key(palette_, event.button);
+      if (counts) palette_key(palette_, event.button);
     } else if (page_.shown && (page_.in_search || !is_text_field_active())) {
-      settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
+      if (counts) settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
     } else {
       return false;
     }

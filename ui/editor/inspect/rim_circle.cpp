@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/assert.h"
+#include "core/base/deterministic_math.h"
 #include "core/document/piece_looks.h"
 #include "ui/render/bodies/body_picture.h"
 

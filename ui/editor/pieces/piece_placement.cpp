@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
@@ -420,12 +421,17 @@ glm::dquat orientation_of(const Vec3& angles) {
   return glm::normalize(glm::dquat(angles * kRadiansOfDegree));
 }
 
+// A click that ends an entry may have selected another piece in the same frame.
 std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
   if (!begin_properties("placement")) return std::nullopt;
   const char* disabled_reason = move_disabled_reason(view.look.pieces);
+  std::optional<PieceId> piece;
+  if (disabled_reason == nullptr) piece = first_selected(view.look.pieces);
+  const std::optional<PieceId> last = std::exchange(shown_, piece);
+  if (last && has_faces(world, *last)) piece = last;
   std::optional<Command> command;
-  if (disabled_reason == nullptr) {
-    command = draw_fields(world, view, *first_selected(view.look.pieces));
+  if (piece) {
+    command = draw_fields(world, view, *piece);
   } else {
     draw_empty(disabled_reason);
   }
@@ -526,7 +532,10 @@ class TransformFeature : public Feature {
     moving_.drop_if_lost(workspace_.world());
     if (!workspace_.changes.is_pending()) grab_copy();
   }
-  void on_document_opened() override { moving_.forget(); }
+  void on_document_opened() override {
+    moving_.forget();
+    placement_ = PlacementRows();
+  }
 
   void draw_overlay(ImDrawList& list) override {
     if (workspace_.cutting()) return;

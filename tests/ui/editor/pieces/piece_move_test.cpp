@@ -1,6 +1,7 @@
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <string>
 
@@ -10,6 +11,8 @@
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/viewport_pointer.h"
+#include "ui/window/layout.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 namespace {
@@ -314,6 +317,67 @@ TEST(Moving, needs_exactly_one_selected_piece) {
   EXPECT_NE(move_disabled_reason(looks), nullptr);
   looks.clear();
   EXPECT_NE(move_disabled_reason(looks), nullptr);
+}
+
+// The fields of a placement, of which no pixel is drawn, and two spheres, of which the first is selected.
+class PlacementEntries : public testing::Test {
+ protected:
+  PlacementEntries() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {400, 300};
+    io.DeltaTime = 0.5f;
+    io.Fonts->Build();
+    keep_landmarks(&landmarks);
+    for (const char* name : {"left", "right"})
+      ids.push_back(world.add(make_body(name, test::build(test::sphere(8, 12, 1)))));
+    select_piece(view.look.pieces, {ids[0], 0}, false);
+  }
+  ~PlacementEntries() override { ImGui::DestroyContext(); }
+
+  std::optional<Command> frame() {
+    landmarks.begin_frame();
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({400, 300});
+    ImGui::Begin("fields", nullptr, ImGuiWindowFlags_NoDecoration);
+    const std::optional<Command> command = rows.draw(world, view);
+    ImGui::End();
+    ImGui::Render();
+    return command;
+  }
+  void click(ImVec2 at) {
+    ImGui::GetIO().MousePos = at;
+    for (const bool down : {false, true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      EXPECT_FALSE(frame());
+    }
+  }
+
+  Landmarks landmarks{std::nullopt};
+  World world;
+  std::vector<BodyId> ids;
+  ViewState view;
+  PlacementRows rows;
+};
+
+TEST_F(PlacementEntries, apply_to_the_piece_that_was_shown_when_a_click_selects_another) {
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(frame());
+  const auto field = landmarks.find("Centre 0");
+  ASSERT_TRUE(field);
+  click(to_im(field->at + 0.5 * field->size));
+  ImGui::GetIO().AddInputCharactersUTF8("3");
+  EXPECT_FALSE(frame());
+  ImGui::GetIO().MousePos = {390, 290};
+  ImGui::GetIO().MouseDown[0] = true;
+  select_piece(view.look.pieces, {ids[1], 0}, false);
+  const auto command = frame();
+  ASSERT_TRUE(command);
+  EXPECT_EQ(std::get<MovePiece>(*command).piece, PieceId(ids[0], 0));
+  EXPECT_NEAR(std::get<MovePiece>(*command).to.position.x, 3, 1e-12);
+  ImGui::GetIO().MouseDown[0] = false;
+  EXPECT_FALSE(frame());
 }
 
 TEST(PieceHandles, are_picked_where_drawn_and_only_with_the_selection_tool) {

@@ -496,7 +496,7 @@ class TransformFeature : public Feature {
     if (!moving_.moves()) return false;
     if (event.kind == InputEvent::Kind::kKey) {
       // A held key must not flip the axis or begin the move again.
-      if (!event.again || event.button == GLFW_KEY_BACKSPACE) take_key(event.button);
+      if (!event.again || event.button == GLFW_KEY_BACKSPACE) take_key(event.button, is_snapping(event));
       return true;
     }
     const bool left = event.button == GLFW_MOUSE_BUTTON_LEFT, right = event.button == GLFW_MOUSE_BUTTON_RIGHT;
@@ -595,11 +595,12 @@ class TransformFeature : public Feature {
       workspace_.changes.enqueue(*command);
   }
 
+  static bool is_snapping(const InputEvent& event) { return (event.mods & GLFW_MOD_CONTROL) != 0; }
   void follow_pointer(const InputEvent& event) {
-    moving_.follow(workspace_.world(), event.at, (event.mods & GLFW_MOD_CONTROL) != 0);
+    moving_.follow(workspace_.world(), event.at, is_snapping(event));
   }
   // Enter confirms, Esc cancels, G and R switch between moving and turning; PieceMove::key handles the rest.
-  void take_key(int key) {
+  void take_key(int key, bool snaps) {
     switch (key) {
       case GLFW_KEY_ENTER:
       case GLFW_KEY_KP_ENTER:
@@ -615,7 +616,7 @@ class TransformFeature : public Feature {
         if (!moving_.key(key)) return;
         break;
     }
-    moving_.follow(workspace_.world(), workspace_.input.pointer, false);
+    moving_.follow(workspace_.world(), workspace_.input.pointer, snaps);
   }
   void confirm() {
     if (const auto command = moving_.confirm()) workspace_.changes.enqueue(*command);

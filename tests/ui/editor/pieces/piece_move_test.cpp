@@ -235,6 +235,21 @@ TEST(Moving, a_held_key_counts_once_except_backspace) {
   EXPECT_EQ(b.look().offset, Vec3(0, 2, 0));
 }
 
+TEST(Moving, a_key_keeps_the_snapping_of_a_held_ctrl) {
+  Bench b;
+  b.run("pieces.move");
+  Vec2& pointer = b.workspace.input.pointer;
+  pointer += Vec2(41.3, 17.9);
+  InputEvent event{InputEvent::Kind::kMove, pointer, 0, GLFW_MOD_CONTROL};
+  b.feature->handle_event(event, true);
+  event = {InputEvent::Kind::kKey, pointer, GLFW_KEY_X, GLFW_MOD_CONTROL};
+  EXPECT_TRUE(b.feature->handle_event(event, false));
+  const double step = snap_step(b.workspace.view.frame.unit), moved = b.look().offset.x;
+  EXPECT_GT(moved, 0);
+  EXPECT_EQ(moved, std::round(moved / step) * step);
+  EXPECT_EQ(b.look().offset.y, 0);
+}
+
 TEST(Moving, ends_with_a_move_command) {
   Bench b;
   Moving moving(b.workspace.view);

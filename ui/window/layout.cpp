@@ -72,7 +72,8 @@ std::string Landmarks::text() const {
   nlohmann::ordered_json parts = nlohmann::ordered_json::object();
   for (const auto& [name, area] : areas_) parts[name] = {area.at.x, area.at.y, area.size.x, area.size.y};
   const nlohmann::ordered_json all{{"busy", busy_}, {"pointer", {pointer_.x, pointer_.y}}, {"parts", parts}};
-  return all.dump();
+  // Names of pieces may hold any bytes.
+  return all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::optional<Area> Landmarks::find(const std::string& name) const {

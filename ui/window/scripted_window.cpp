@@ -179,7 +179,9 @@ Status EventScript::print_answer(const JsonValue& value, const Answer& answer) c
   const auto what = value.text();
   if (!what) return what.error();
   std::optional<std::string> text = answer(*what);
-  if (*what == "title") text = nlohmann::json(title_).dump();
+  // Names of files may hold any bytes.
+  if (*what == "title")
+    text = nlohmann::json(title_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (!text) return value.wrong("the current screen has no such answer");
   std::printf("%s\n", text->c_str());
   std::fflush(stdout);

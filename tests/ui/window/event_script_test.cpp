@@ -77,7 +77,7 @@ TEST(EventScript, prints_the_screen_response_and_the_title) {
   EventScript events = script(R"({"answer": "report"}
                                 {"answer": "title"}
                                 {"move": [0, 0]})");
-  events.set_title("a \"title\"");
+  events.set_title("a \"title\" \xfc");
   std::vector<std::string> requests;
   testing::internal::CaptureStdout();
   const auto frame = events.begin_frame(false, [&](const std::string& what) -> std::optional<std::string> {
@@ -85,7 +85,7 @@ TEST(EventScript, prints_the_screen_response_and_the_title) {
     if (what == "report") return "{}";
     return std::nullopt;
   });
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "{}\n\"a \\\"title\\\"\"\n");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "{}\n\"a \\\"title\\\" \xef\xbf\xbd\"\n");
   EXPECT_TRUE(*frame);
   EXPECT_EQ(requests, (std::vector<std::string>{"report", "title"}));
 }

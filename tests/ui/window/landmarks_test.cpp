@@ -75,6 +75,13 @@ TEST_F(LandmarksFile, contains_widgets_at_their_drawn_position) {
   EXPECT_EQ(read().at("parts"), nlohmann::json({{"button 7", {120.0, 70.0, 30.0, 20.0}}}));
 }
 
+TEST(Landmarks, may_have_names_that_are_not_utf8) {
+  Landmarks landmarks(std::nullopt);
+  landmarks.mark("piece T\xfcr", {{1, 2}, {3, 4}});
+  const nlohmann::json parts = nlohmann::json::parse(landmarks.text()).at("parts");
+  EXPECT_EQ(parts, nlohmann::json({{"piece T\xef\xbf\xbdr", {1.0, 2.0, 3.0, 4.0}}}));
+}
+
 TEST(Landmarks, report_why_they_cannot_be_written) {
   Landmarks landmarks("/no such folder/landmarks.json");
   landmarks.mark("a", {});

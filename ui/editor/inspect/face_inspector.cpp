@@ -171,7 +171,10 @@ class InspectFeature : public Feature {
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
     if (!inspects() || press.control) return nullptr;
-    if (!workspace_.view.in_second) end_exploded_view(workspace_.world(), workspace_.view);
+    if (!workspace_.view.in_second && end_exploded_view(workspace_.world(), workspace_.view)) {
+      workspace_.message.info(kExplodedViewEnded);
+      return std::make_unique<ClickOnce>([] {});
+    }
     return std::make_unique<ClickOnce>([this] { measure(); });
   }
   bool clear_selection() override {

@@ -141,7 +141,10 @@ class RulerFeature : public Feature {
       workspace_.message.error("Measure in the left half.");
       return std::make_unique<ClickOnce>([] {});
     }
-    end_exploded_view(workspace_.world(), workspace_.view);
+    if (end_exploded_view(workspace_.world(), workspace_.view)) {
+      workspace_.message.info(kExplodedViewEnded);
+      return std::make_unique<ClickOnce>([] {});
+    }
     if (const auto end = end_under_pointer(); end && !first_) return std::make_unique<DragOfEnd>(*this, *end);
     return std::make_unique<ClickOnce>([this] { measure(); });
   }

@@ -38,11 +38,12 @@ bool cancel_stroke(Workspace& workspace) {
   return true;
 }
 
-void end_exploded_view(const World& world, ViewState& view) {
-  if (view.spread == 0) return;
+bool end_exploded_view(const World& world, ViewState& view) {
+  if (view.spread == 0) return false;
   view.spread = 0;
   spread_pieces(world, 0, view.look);
   view.picture_old = true;
+  return true;
 }
 
 UserAction tool_action(Workspace& workspace, const char* tool, const char* name, const char* shortcut,

@@ -138,8 +138,12 @@ struct Workspace {
 // Ends the stroke being drawn, if any; its cut is kept. Returns true if there was one.
 bool cancel_stroke(Workspace& workspace);
 
-// Ends the exploded view, because pieces are cut, moved and measured at their true positions.
-void end_exploded_view(const World& world, ViewState& view);
+inline constexpr auto kExplodedViewEnded =
+    "The exploded view has ended: points are measured at their true positions.";
+
+// Ends the exploded view, because pieces are cut, moved and measured at their true positions. Returns true if
+// there was one.
+bool end_exploded_view(const World& world, ViewState& view);
 
 // Returns the action that activates a tool, "tool.ID", and unfolds the panel of the same id if there is one.
 // Ends a stroke drawn by hand.

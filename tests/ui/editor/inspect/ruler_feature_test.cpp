@@ -61,7 +61,7 @@ TEST(RulerFeature, two_clicks_add_a_measurement_to_the_document_and_cut_nothing)
   EXPECT_TRUE(bench.kept().is_null());
 }
 
-TEST(RulerFeature, a_click_ends_the_exploded_view_and_measures_true_positions) {
+TEST(RulerFeature, a_click_ends_the_exploded_view_and_the_next_ones_measure) {
   RulerBench bench;
   World world;
   for (const double x : {-0.7, 0.7}) {
@@ -79,6 +79,8 @@ TEST(RulerFeature, a_click_ends_the_exploded_view_and_measures_true_positions) {
   bench.click({-0.7, 0, 0.5});
   EXPECT_EQ(view.spread, 0.0);
   EXPECT_TRUE(view.picture_old);
+  bench.click({-0.7, 0, 0.5});
+  EXPECT_TRUE(bench.kept().is_null());
   bench.click({0.7, 0, 0.5});
   ASSERT_EQ(bench.kept().size(), 1u);
   const nlohmann::json from = bench.kept()[0]["from"];

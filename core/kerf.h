@@ -612,9 +612,9 @@ class World {
   void save_scene(const std::string& folder) const { check(kerf_world_save_scene(get(), folder.c_str())); }
 
   // Writes the journal of all commands that are not undone, which `kerf replay` verifies, and the added
-  // meshes next to it. path: a .kerf file.
-  // Throws InvalidArgument if the world has no mesh, or if path names a folder, device or pipe; Error if a
-  // file cannot be written. O(n log n).
+  // meshes next to it. path: a .kerf file. Throws InvalidArgument if the world has no mesh or was simulated
+  // before it had one, or if path names a folder, device or pipe; Error if a file cannot be written.
+  // O(n log n).
   void save_journal(const std::string& path) const { check(kerf_world_save_journal(get(), path.c_str())); }
 
   // Returns a report as JSON, with the keys of report.json of `kerf cut` (see kerf_world_report). O(n log n).

@@ -542,8 +542,8 @@ KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* 
  * not undone, and next to it a mesh file per body added by kerf_world_add, NAME-mesh-0001.obj and so on, or
  * .kmesh if it has attributes or described materials.
  * path: a .kerf file.
- * Errors: KERF_INVALID_ARGUMENT if the world has no mesh, or if path names a folder, device or pipe;
- * KERF_FAILED if a file cannot be written. O(n log n). */
+ * Errors: KERF_INVALID_ARGUMENT if the world has no mesh or was simulated before it had one, or if path names
+ * a folder, device or pipe; KERF_FAILED if a file cannot be written. O(n log n). */
 KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char* path);
 
 /* Returns a report as JSON, like report.json of `kerf cut`: all pieces, and the totals of kerf_world_cut and

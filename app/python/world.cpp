@@ -194,8 +194,8 @@ void add_files(WorldClass& world) {
           },
           py::arg("path"),
           "Writes the journal (.kerf) of the cuts, and the added meshes next to it.\n\n"
-          "Raises FileNotFoundError if the folder is missing, ValueError if the world has no mesh, and Error "
-          "if a file cannot be written.")
+          "Raises FileNotFoundError if the folder is missing, ValueError if the world has no mesh or was "
+          "simulated before it had one, and Error if a file cannot be written.")
       .def(
           "report", [](const World& of) { return object_of([&] { return of.report(); }); },
           "Returns a report of all cuts, with the keys of the report.json of `kerf cut`.")

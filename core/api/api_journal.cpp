@@ -59,11 +59,13 @@ class JournalFile {
     generations_.resize(journal.size() + 1);
     for (const size_t i : commands_done(journal)) {
       const auto added = world_.added.find(i);
-      if (added == world_.added.end()) {
+      if (added != world_.added.end()) {
+        if (const Status written = put_body(added->second, i); !written) return written;
+      } else if (scene_.bodies.empty() && std::holds_alternative<SetEnvironment>(journal[i])) {
+        waiting_.push_back(journal[i]);  // the scene needs a body, which does not depend on it
+      } else {
         flush();
         put(journal[i], i);
-      } else if (const Status written = put_body(added->second, i); !written) {
-        return written;
       }
     }
     flush();
@@ -106,6 +108,10 @@ class JournalFile {
   }
 
   Status put_body(const AddedBody& added, size_t index) {
+    if (!in_scene_ && scene_.bodies.empty())
+      return bad_input(
+          "the world was simulated before its first mesh was added, which a journal cannot store; add a mesh "
+          "before the first simulation");
     SceneBody body;
     const kerf_mesh& m = *added.mesh;
     const bool is_soup = m.looks.any() || m.surfaces || !m.parts.empty();  // more than OBJ holds
@@ -153,11 +159,11 @@ class JournalFile {
   const std::filesystem::path& file_;
   SceneDescription scene_;
   std::vector<Command> commands_;
-  std::vector<Command> waiting_;       // of the last added bodies
+  std::vector<Command> waiting_;       // of the last added bodies, and the environment before the first
   std::vector<uint32_t> generations_;  // in the file, by generation in the world
   size_t meshes_ = 0;
   InputFiles inputs_;     // which are not overwritten
-  bool in_scene_ = true;  // only bodies were added so far
+  bool in_scene_ = true;  // only bodies were added so far, or the environment set before them
 };
 
 }  // namespace

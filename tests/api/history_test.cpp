@@ -171,6 +171,30 @@ TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
   }
 }
 
+TEST(History, an_environment_set_before_the_first_mesh_is_kept_in_a_journal) {
+  World world;
+  world.set_environment({0, -1.62, 0}, 0.0);
+  BodyDesc desc;
+  desc.position[1] = 1;
+  world.add(sheet(2), desc);
+  const std::string file = testing::TempDir() + "kerf-moon.kerf";
+  world.save_journal(file);
+  World opened(file);
+  world.simulate(0.1);
+  opened.simulate(0.1);
+  EXPECT_EQ(opened.hash(), world.hash());
+  World late;
+  late.simulate(0.1);
+  late.add(sheet(2));
+  try {
+    late.save_journal(file);
+    ADD_FAILURE() << "saved a journal whose scene has no body";
+  } catch (const InvalidArgument& fault) {
+    EXPECT_NE(std::string(fault.what()).find("simulated before its first mesh"), std::string::npos)
+        << fault.what();
+  }
+}
+
 TEST(History, a_journal_with_a_stroke_redone_after_a_stop_is_saved_completely) {
   World world;
   world.add(sheet(10));

@@ -438,9 +438,10 @@ typedef struct kerf_body_changes {
   const uint32_t* destroyed_pieces; /* labels that had faces and have none now */
 } kerf_body_changes;
 
-/* A piece that moved to another body, e.g. because it began to fall or was edited. The side with fewer faces,
- * the piece or the rest, is copied to a body listed as created: `to` or, if keeps_faces is 1, `from`. Its
- * face i is the i-th face of that side by previous index. The other side keeps its indices. */
+/* A piece that moved to another body, e.g. because it began to fall or was edited; not listed if that body
+ * was removed since. The side with fewer faces, the piece or the rest, is copied to a body listed as created:
+ * `to` or, if keeps_faces is 1, `from`. Its face i is the i-th face of that side by previous index. The other
+ * side keeps its indices. */
 typedef struct kerf_detached {
   kerf_body from, to;
   uint32_t piece;       /* the label, in both */
@@ -449,8 +450,8 @@ typedef struct kerf_detached {
 } kerf_detached;
 
 /* Changes of a world. A client that mirrors it applies: destroyed bodies; then `detached` in order, by moving
- * the mirror of `from` to `to` where keeps_faces is 1; then the other bodies, replacing created ones, first
- * removed faces, then added ones. */
+ * the mirror of `from`, if it has one, to `to` where keeps_faces is 1; then the other bodies, replacing
+ * created ones, first removed faces, then added ones. */
 typedef struct kerf_changes {
   size_t size;
   int everything; /* 1: any part of the world may have changed, and the lists are empty: read it again */

@@ -87,10 +87,10 @@ void add_changes(py::module_& m, WorldClass& world) {
       .def_readonly("bodies", &ChangesOfWorld::bodies, "A list of BodyChanges, destroyed bodies first.")
       .def_readonly(
           "detached", &ChangesOfWorld::detached,
-          "Pieces that moved to another body: a list of (from, to, piece, keeps_faces). The smaller side, "
-          "the "
-          "piece or the rest, has a created body, in which face i is the i-th of its faces before. If "
-          "keeps_faces, faces of `from` are now those of `to`, by the same indices; else they remain.")
+          "Pieces that moved to another body, unless it was removed since: a list of (from, to, piece, "
+          "keeps_faces). The smaller side, the piece or the rest, has a created body, in which face i is the "
+          "i-th of its faces before. If keeps_faces, faces of `from` are now those of `to`, by the same "
+          "indices; else they remain.")
       .def("__repr__", [](const ChangesOfWorld& changes) {
         return changes.everything ? std::string("<kerf.Changes of everything>")
                                   : "<kerf.Changes of " + std::to_string(changes.bodies.size()) + " bodies>";
@@ -100,10 +100,9 @@ void add_changes(py::module_& m, WorldClass& world) {
       [](World& of) { return ChangesOfWorld(of.take_changes()); },  // the next call invalidates the arrays
       "Returns the Changes since the last call for this world. The first call returns `everything`, as does "
       "one after a failed cut or stroke step, or after more changes than the log holds. To mirror the world: "
-      "remove "
-      "destroyed "
-      "bodies; apply `detached` in order, moving the mirror of `from` to `to` if keeps_faces; then for the "
-      "other bodies, replacing created ones, remove faces, then add faces. Raises Busy.");
+      "remove destroyed bodies; apply `detached` in order, moving the mirror of `from`, if any, to `to` if "
+      "keeps_faces; then for the other bodies, replacing created ones, remove faces, then add faces. Raises "
+      "Busy.");
 }
 
 }  // namespace kerf::python

@@ -57,6 +57,20 @@ uint32_t origin_of(const UndoStack& history, size_t first, const PieceId& piece)
   return KERF_NO_PIECE;
 }
 
+// Returns the pieces whose bodies were not removed since.
+std::vector<kerf_detached> lasting(const World& world, const std::vector<Detached>& detached) {
+  std::vector<kerf_detached> all;
+  std::map<BodyId, BodyId> last;  // ids of bodies in the end, by those after the step, if they differ
+  for (auto d = detached.rbegin(); d != detached.rend(); ++d) {
+    const auto later = last.find(d->to);
+    const BodyId now = later == last.end() ? d->to : later->second;
+    if (world.contains(now)) all.push_back({to_api(d->from), to_api(d->to), d->label, d->keeps_slots});
+    if (d->keeps_slots) last[d->from] = now;
+  }
+  std::reverse(all.begin(), all.end());
+  return all;
+}
+
 }  // namespace
 
 void ChangeLog::record(const World& world, const Delta& delta) {
@@ -199,8 +213,7 @@ kerf_changes ChangeLog::take(const Document& document) {
       answer.link();
       views_.push_back(answer.changes);
     }
-    for (const Detached& d : detached)
-      detached_.push_back({to_api(d.from), to_api(d.to), d.label, d.keeps_slots});
+    detached_ = lasting(world, detached);
   }
   position_ = complete_steps(document.history());
   changes.body_count = views_.size();

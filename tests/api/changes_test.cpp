@@ -4,7 +4,9 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/kerf.h"
@@ -50,7 +52,9 @@ size_t update(World& world, Mirror& mirror) {
     if (b.flags & KERF_BODY_DESTROYED) mirror.erase(b.body);
   }
   for (const kerf_detached& d : std::span(changes.detached, changes.detached_count)) {
-    if (d.keeps_faces) mirror[d.to] = std::exchange(mirror[d.from], {});
+    if (!d.keeps_faces || !mirror.contains(d.from)) continue;
+    mirror[d.to] = std::move(mirror.at(d.from));
+    mirror.erase(d.from);
   }
   for (const kerf_body_changes& b : bodies) {
     if (b.flags & KERF_BODY_DESTROYED) continue;
@@ -208,6 +212,32 @@ TEST(Changes, a_piece_that_is_cut_off_after_an_undo_has_its_origin) {
   EXPECT_TRUE(world.undo());
   world.cut(through_the_middle());
   EXPECT_EQ(origins_of_new_pieces(world), std::vector<uint32_t>{0});
+}
+
+TEST(Changes, a_removed_piece_is_not_listed_as_detached) {
+  World world;
+  const BodyId body = world.add(sheet(20));
+  Stroke stroke = through_the_middle();
+  for (Keyframe& key : stroke.keys) key.origin[0] = 0.3;
+  world.cut(stroke);
+  const std::vector<uint32_t> labels = world.piece_labels(body, world.faces(body));
+  const std::set<uint32_t> pieces(labels.begin(), labels.end());
+  ASSERT_EQ(pieces.size(), 2u);
+  Mirror mirror;
+  update(world, mirror);
+  for (const uint32_t piece : pieces) {
+    SCOPED_TRACE("piece " + std::to_string(piece));
+    world.remove(body, piece);
+    const Changes changes = world.take_changes();
+    EXPECT_FALSE(changes.everything);
+    EXPECT_EQ(changes.detached_count, 0u);
+    EXPECT_TRUE(world.undo());
+    (void)world.take_changes();
+    world.remove(body, piece);
+    EXPECT_TRUE(world.undo());
+    update(world, mirror);
+    EXPECT_EQ(mirror, fetch_all(world));
+  }
 }
 
 TEST(Changes, a_detached_piece_keeps_the_order_of_its_faces) {

@@ -381,7 +381,7 @@ class Module(unittest.TestCase):
                 if b.destroyed:
                     del mirror[b.body]
             for source, to, piece, keeps_faces in changes.detached:
-                if keeps_faces:
+                if keeps_faces and source in mirror:
                     mirror[to] = mirror.pop(source)
             for b in changes.bodies:
                 if b.destroyed:

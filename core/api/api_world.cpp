@@ -193,7 +193,6 @@ void record_added(kerf_world& world, std::span<const Command> commands, size_t i
 
 // Executes the commands of a journal, and keeps the bounds after each for undo and redo.
 Status replay_journal(const Journal& journal, kerf_world& world, const Progress& progress) {
-  world.keep();
   Replay replay(journal, world.document);
   QueueRun how;
   how.progress = &progress;
@@ -241,10 +240,12 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   if (journal.commands.empty()) document.set_face_budget(usual_face_budget(machine_memory()));
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
+  to.keep();
   const double diagonal = to.bounds->diagonal();
   for (const StrokePath& stroke : file->scene.strokes) {
     const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
     if (!cut) return cut.error();
+    to.keep();
   }
   if (const Status replayed = replay_journal(journal, to, replaying); !replayed) return replayed;
   document.drop_origin();  // the files may change later

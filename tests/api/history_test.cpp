@@ -155,6 +155,24 @@ TEST(History, undo_restores_the_size_from_which_defaults_follow) {
   EXPECT_THROW(empty.cut(across(0.5)), InvalidArgument);
 }
 
+TEST(History, undo_of_the_strokes_of_a_scene_keeps_its_size_and_totals) {
+  const std::string mesh = testing::TempDir() + "kerf-cut.obj", scene = testing::TempDir() + "kerf-cut.json";
+  sheet(10).write(mesh);
+  std::ofstream(scene) << R"({"bodies": [{"mesh": "kerf-cut.obj"}], "strokes": [{
+    "laser": {"radius": 0.01, "range": [0, 2]},
+    "keys": [{"t": 0, "origin": [0.3, 1, -0.1], "direction": [0, -1, 0]},
+             {"t": 1, "origin": [0.3, 1, 1.1], "direction": [0, -1, 0]}]}]})";
+  World world(scene);
+  const std::string none = in_report(world, "removed");
+  EXPECT_EQ(world.pieces().size(), 2u);
+  EXPECT_TRUE(world.undo());
+  EXPECT_FALSE(world.undo());
+  world.cut(across(0.7));
+  EXPECT_NE(in_report(world, "removed"), none);
+  EXPECT_TRUE(world.undo());
+  EXPECT_EQ(in_report(world, "removed"), none);
+}
+
 TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
   World world;
   world.add(sheet(10));

@@ -8,6 +8,7 @@
 #include <locale>
 #include <memory>
 #include <new>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -223,6 +224,19 @@ Status replay_journal(const Journal& journal, kerf_world& world, const Progress&
   return Done{};
 }
 
+// Cuts the strokes of a scene, and keeps the values after each for undo and redo.
+Status cut_strokes(std::span<const StrokePath> strokes, kerf_world& world, const Progress& progress) {
+  const double diagonal = world.bounds->diagonal();
+  ProgressShares shares(&progress);
+  for (const StrokePath& stroke : strokes) {
+    const Progress own = shares.next(1 / static_cast<double>(strokes.size()));
+    const Outcome cut = world.document.run_whole(scene_stroke_commands(stroke, diagonal), &own);
+    if (!cut) return cut.error();
+    world.keep();
+  }
+  return Done{};
+}
+
 Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   ProgressShares shares(&progress);
   const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
@@ -241,12 +255,7 @@ Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   for (const BodyId id : document.world().ids()) to.job.record_loaded(document.world().body(id).loaded);
   to.bounds = document.world().bounds();
   to.keep();
-  const double diagonal = to.bounds->diagonal();
-  for (const StrokePath& stroke : file->scene.strokes) {
-    const Outcome cut = document.run_whole(scene_stroke_commands(stroke, diagonal), &replaying);
-    if (!cut) return cut.error();
-    to.keep();
-  }
+  if (const Status cut = cut_strokes(file->scene.strokes, to, replaying); !cut) return cut;
   if (const Status replayed = replay_journal(journal, to, replaying); !replayed) return replayed;
   document.drop_origin();  // the files may change later
   return Done{};

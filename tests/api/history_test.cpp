@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "core/kerf.h"
 #include "tests/api/sheets.h"
@@ -171,6 +173,32 @@ TEST(History, undo_of_the_strokes_of_a_scene_keeps_its_size_and_totals) {
   EXPECT_NE(in_report(world, "removed"), none);
   EXPECT_TRUE(world.undo());
   EXPECT_EQ(in_report(world, "removed"), none);
+}
+
+TEST(History, opening_a_scene_of_several_strokes_reports_progress_that_never_decreases) {
+  const std::string mesh = testing::TempDir() + "kerf-two.obj", scene = testing::TempDir() + "kerf-two.json";
+  sheet(10).write(mesh);
+  std::ofstream file(scene);
+  file << R"({"bodies": [{"mesh": "kerf-two.obj"}], "strokes": [)";
+  for (const double x : {0.3, 0.7}) {
+    file << (x < 0.5 ? "" : ", ") << R"({"laser": {"radius": 0.01, "range": [0, 2]}, "keys": [)";
+    for (int i = 0; i <= 200; ++i) {
+      file << (i > 0 ? ", " : "") << R"({"t": )" << i << R"(, "origin": [)" << x << ", 1, "
+           << -0.1 + 1.2 * i / 200 << R"(], "direction": [0, -1, 0]})";
+    }
+    file << "]}";
+  }
+  file << "]}";
+  file.close();
+  std::vector<double> shares;
+  const World world(scene, {[&](double share) {
+                              shares.push_back(share);
+                              return true;
+                            },
+                            0});
+  EXPECT_EQ(world.pieces().size(), 3u);
+  EXPECT_GT(shares.size(), 4u);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
 }
 
 TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {

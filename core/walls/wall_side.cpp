@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <locale>
 #include <map>
 #include <sstream>
 
@@ -286,6 +287,7 @@ constexpr double kTurnOfEnd = 0.0979;
 
 Error left_open(const char* why, const Vec3& p) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(3);
   text << why << " near (" << p.x << ", " << p.y << ", " << p.z << ")";
   return failed(text.str());

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <locale>
+
 #include "core/base/deterministic_math.h"
 #include "core/base/random.h"
+#include "core/walls/make_walls.h"
 #include "tests/support/runs.h"
 
 namespace kerf {
@@ -22,6 +25,17 @@ std::vector<BeamMove> zigzag(Random& random, bool from_apex) {
     p = next;
   }
   return moves;
+}
+
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(LeftOpen, names_the_place_independently_of_the_locale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+  const std::string message = left_open("the rim crosses itself", {0.5, -1.25, 1e-9}).message;
+  std::locale::global(before);
+  EXPECT_EQ(message, "the rim crosses itself near (0.5, -1.25, 1e-09)");
 }
 
 TEST(WallChart, lists_corners_in_order_of_position) {

@@ -49,10 +49,12 @@ size_t complete_steps(const UndoStack& history) {
 }
 
 // Returns the piece from which a piece was cut off in the steps from `first` on.
-uint32_t origin_of(const UndoStack& history, size_t first, const PieceId& piece) {
+uint32_t origin_of(const UndoStack& history, size_t first, PieceId piece) {
   for (size_t i = history.position(); i-- > first;) {
-    const auto& came_off = history.step(i).totals().came_off;
+    const HistoryStep& step = history.step(i);
+    const auto& came_off = step.totals().came_off;
     if (const auto found = came_off.find(piece); found != came_off.end()) return found->second;
+    piece = id_before(step.body_changes(), piece);
   }
   return KERF_NO_PIECE;
 }

@@ -90,6 +90,13 @@ BodyId id_before(const Delta& delta, BodyId after) {
   return after;
 }
 
+PieceId id_before(const Delta& delta, PieceId after) {
+  for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d) {
+    if (after == PieceId{d->to, d->label}) after.body = d->from;
+  }
+  return after;
+}
+
 void Delta::append(Delta later) {
   removed_faces += later.removed_faces;
   removed_area += later.removed_area;

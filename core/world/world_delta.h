@@ -117,7 +117,8 @@ Delta inverse_body_changes(const Delta& delta);
 // created nor destroyed the body.
 BodyId id_after(const Delta& delta, BodyId before);
 BodyId id_before(const Delta& delta, BodyId after);
-// Returns the id of a piece after a step; it names another body if the step detached the piece.
+// Convert the id of a piece likewise; it names another body if the step detached the piece.
 PieceId id_after(const Delta& delta, PieceId before);
+PieceId id_before(const Delta& delta, PieceId after);
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -212,6 +213,21 @@ TEST(Changes, a_piece_that_is_cut_off_after_an_undo_has_its_origin) {
   EXPECT_TRUE(world.undo());
   world.cut(through_the_middle());
   EXPECT_EQ(origins_of_new_pieces(world), std::vector<uint32_t>{0});
+}
+
+TEST(Changes, a_piece_that_is_cut_off_and_detached_has_its_origin) {
+  World world;
+  const BodyId body = world.add(sheet(20));
+  (void)world.take_changes();
+  Stroke stroke = through_the_middle();
+  for (Keyframe& key : stroke.keys) key.origin[0] = 0.3;
+  world.cut(stroke);
+  const std::vector<uint32_t> labels = world.piece_labels(body, world.faces(body));
+  const uint32_t piece = *std::max_element(labels.begin(), labels.end());
+  ASSERT_GT(piece, 0u);
+  EXPECT_NE(world.move(body, piece, {0, 1, 0}), body);
+  const std::vector<uint32_t> origins = origins_of_new_pieces(world);
+  EXPECT_EQ(std::count(origins.begin(), origins.end(), 0u), 1);
 }
 
 TEST(Changes, a_removed_piece_is_not_listed_as_detached) {

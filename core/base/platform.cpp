@@ -53,6 +53,16 @@ std::pair<std::filesystem::path, int> open_beside(const std::filesystem::path& t
   }
 }
 
+// Returns a duplicate of standard output or error if it is redirected to this file, else -1.
+int stream_to(const struct stat& file) {
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat own {};
+    if (::fstat(stream, &own) == 0 && own.st_dev == file.st_dev && own.st_ino == file.st_ino)
+      return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
+  }
+  return -1;
+}
+
 fs::path folder_by(const char* variable, const char* below_home) {
   const char* named = std::getenv(variable);
   if (named != nullptr && fs::path(named).is_absolute()) return fs::path(named) / "kerf";
@@ -130,6 +140,9 @@ Result<AtomicFile> AtomicFile::open(const std::filesystem::path& path) {
     if (file.descriptor_ < 0) return write_error(path, errno);
     return file;
   }
+  // Replacing it would lose what the stream has written or appends to.
+  if (exists) file.descriptor_ = stream_to(there);
+  if (file.descriptor_ >= 0) return file;
   std::error_code unresolved;
   const std::filesystem::path target = std::filesystem::canonical(path, unresolved);
   if (exists && !unresolved) file.target_ = target;

@@ -16,8 +16,9 @@ using ByteSink = std::function<bool(std::string_view)>;
 // A file that is written in parts, and appears complete or not at all: the bytes are written to a temporary
 // file in the target's directory, which commit() flushes to the disk and renames over the target; then it
 // flushes the directory, so that a power failure does not bring the previous file back. Symbolic links are
-// followed, and a replaced file keeps its permissions. A device or a pipe (/dev/stdout) is written to
-// directly. Each error is one sentence that names the target.
+// followed, and a replaced file keeps its permissions. A device, a pipe (/dev/stdout), or a file to which
+// standard output or error is redirected is written to directly. Each error is one sentence that names the
+// target.
 class AtomicFile {
  public:
   // Creates the temporary file. Fails if the target is a directory, is read-only or cannot be written.

@@ -1,8 +1,11 @@
 #include "core/base/platform.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -74,6 +77,21 @@ TEST_F(AtomicFile, names_the_missing_folder_to_which_a_symlink_leads) {
             std::string::npos)
       << written.error().message;
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+}
+
+TEST_F(AtomicFile, appends_to_a_file_to_which_standard_output_is_redirected) {
+  ASSERT_TRUE(write_file_atomically(file(), "first\n"));
+  std::fflush(stdout);
+  const int before = ::dup(STDOUT_FILENO), redirected = ::open(file().c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(std::min(before, redirected), 0);
+  ASSERT_GE(::dup2(redirected, STDOUT_FILENO), 0);
+  const bool written = write_file_atomically("/dev/stdout", "second\n").ok();
+  ::dup2(before, STDOUT_FILENO);
+  ::close(before);
+  ::close(redirected);
+  EXPECT_TRUE(written);
+  EXPECT_EQ(test::read_text(file()), "first\nsecond\n");
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, leaves_the_old_file_if_its_content_cannot_be_produced) {

@@ -158,8 +158,10 @@ void scene_sheet_fields(Fields& f, Sheet& sheet) {
 }
 
 std::string left_open_text(const LeftOpen& open, const World& world, FileUnit unit) {
-  const std::string name = world.contains(open.body) ? world.body(open.body).own_name() + ": " : "";
-  return name + open.why + " " + std::string(unit_symbol(unit));
+  const Body* body = world.contains(open.body) ? &world.body(open.body) : nullptr;
+  const bool is_placed = body != nullptr && body->placement != Placement();
+  return (body != nullptr ? body->own_name() + ": " : "") + open.why + " " + std::string(unit_symbol(unit)) +
+         (is_placed ? " in the frame of the body" : "");
 }
 
 std::string limits_text(const NumberRange& range) {

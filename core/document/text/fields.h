@@ -45,7 +45,8 @@ void describe(Fields& f, Sheet& sheet);
 void scene_sheet_fields(Fields& f, Sheet& sheet);
 
 // Returns the message about a solid body that a stroke left open, with the name of the body and the unit of
-// its place: "car: ...". `world`: after the step.
+// its place: "car: ...". States that the place is in the frame of the body if that is not the world's.
+// `world`: after the step.
 std::string left_open_text(const LeftOpen& open, const World& world, FileUnit unit);
 
 class JsonValue;

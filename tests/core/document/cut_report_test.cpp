@@ -75,6 +75,9 @@ TEST(CutReport, sums_walls_and_lists_each_reason_once) {
   const LeftOpen open = step_of_solid(0, world.ids().front()).delta.left_open[0];
   EXPECT_EQ(left_open_text(open, world, FileUnit::kMillimetre),
             "box: the rim crosses itself near (1, 2, 3) mm");
+  body.placement.position.x = 5;
+  EXPECT_EQ(left_open_text(open, world, FileUnit::kMetre),
+            "box: the rim crosses itself near (1, 2, 3) m in the frame of the body");
 }
 
 TEST(CutReport, sums_loaded_faces_and_changes_of_steps) {

@@ -272,7 +272,7 @@ Result<std::filesystem::path> save_world_as_scene(const World& world, SceneDescr
     if (const Status written = save_faces(at_rest, faces, folder / name); !written) return written.error();
     SceneBody entry;
     entry.mesh = folder / name;
-    entry.name = body.name;
+    entry.name = body.own_name();
     entry.placement = body.placement;
     entry.sheet = body.sheet;
     entry.solid = body.solid ? Solidity::kSolid : Solidity::kSheet;

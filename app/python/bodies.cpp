@@ -55,8 +55,8 @@ void add_info(py::module_& m) {
       .def_property_readonly("is_asleep", flag(&kerf_body_info::is_asleep),
                              "At rest until something touches it.")
       .def("__repr__", [](const BodyInfo& info) {
-        return text("<kerf.BodyInfo \"" + info.name + "\" of " + std::to_string(info.values.face_count) +
-                    " faces>");
+        return text("<kerf.BodyInfo \"" + info.name + "\" of " +
+                    counted(info.values.face_count, "face", "faces") + ">");
       });
 }
 

@@ -72,7 +72,7 @@ void add_changes_of_body(py::module_& m) {
                     "uint32 of shape (n,), labels that had faces and have none now.")
       .def("__repr__", [](const ChangesOfBody& changes) {
         return "<kerf.BodyChanges of body " + std::to_string(changes.body) + ", " +
-               std::to_string(changes.added.size()) + " faces added, " +
+               counted(static_cast<size_t>(changes.added.size()), "face", "faces") + " added, " +
                std::to_string(changes.removed.size()) + " removed>";
       });
 }
@@ -92,8 +92,9 @@ void add_changes(py::module_& m, WorldClass& world) {
           "i-th of its faces before. If keeps_faces, faces of `from` are now those of `to`, by the same "
           "indices; else they remain.")
       .def("__repr__", [](const ChangesOfWorld& changes) {
-        return changes.everything ? std::string("<kerf.Changes of everything>")
-                                  : "<kerf.Changes of " + std::to_string(changes.bodies.size()) + " bodies>";
+        return changes.everything
+                   ? std::string("<kerf.Changes of everything>")
+                   : "<kerf.Changes of " + counted(changes.bodies.size(), "body", "bodies") + ">";
       });
   world.def(
       "take_changes",

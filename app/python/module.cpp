@@ -276,7 +276,7 @@ void add_mesh(py::module_& m) {
       .def("__repr__", [](const kerf::Mesh& mesh) {
         const std::string name = mesh.name();
         return text("<kerf.Mesh " + (name.empty() ? "" : "\"" + name + "\" ") + "of " +
-                    std::to_string(mesh.faces().size() / 3) + " faces>");
+                    counted(mesh.faces().size() / 3, "face", "faces") + ">");
       });
   m.def(
       "read",

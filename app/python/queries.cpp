@@ -64,7 +64,8 @@ void add_hits(py::module_& m) {
       .def(py::pickle([](const HitArrays& hits) { return hits.state(); },
                       [](const py::tuple& state) { return HitArrays(state); }))
       .def("__repr__", [](const HitArrays& hits) {
-        return "<kerf.Hits, " + std::to_string(hits.distance.size()) + " distances>";
+        return "<kerf.Hits, " + counted(static_cast<size_t>(hits.distance.size()), "distance", "distances") +
+               ">";
       });
 }
 

@@ -58,6 +58,11 @@ inline py::list texts(const std::vector<std::string>& all) {
   return list;
 }
 
+// Returns a count for a repr: "1 face", "2 faces".
+inline std::string counted(size_t count, const char* one, const char* several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
 // Returns the folder that contains a file.
 inline std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";

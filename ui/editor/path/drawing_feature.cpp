@@ -474,27 +474,9 @@ class DrawingFeature : public Feature {
     std::vector<StrokePath> all = drawing_strokes(
         lines, drawing_->middle(), placement_.start(bounds, placement_.scale * drawing_->extent()));
     set_lasers(layers_, lines, all);
-    if (first_surface_ && placement_.mode != DrawingMode::kWrap) end_behind_surface(lines, all);
+    if (first_surface_ && placement_.mode != DrawingMode::kWrap)
+      end_behind_surface(lines, drawing_->middle(), drawing_->extent(), placement_, workspace_.world(), all);
     return all;
-  }
-  // Ends the beams a little behind the farthest first surface along each line.
-  void end_behind_surface(const std::vector<DrawnLine>& lines, std::vector<StrokePath>& all) const {
-    constexpr double kMargin = 1e-3;  // of the diagonal of the world
-    const World& world = workspace_.world();
-    for (size_t i = 0; i < all.size(); ++i) {
-      double depth = 0;
-      for (const ProjectedLine& part : project_lines(std::span(lines).subspan(i, 1), drawing_->middle(),
-                                                     drawing_->extent(), placement_, world)) {
-        const Pose& first = all[i].keys.front();
-        for (const Vec3& p : part.points) {
-          if (!part.on_surface) continue;
-          const double along = glm::dot(p - first.origin, first.direction);
-          const bool turns = all[i].keys.back().origin == first.origin && all[i].keys.size() > 1;
-          depth = std::max(depth, turns ? glm::length(p - first.origin) : along);
-        }
-      }
-      all[i].range = Interval{0, depth + kMargin * world.bounds().diagonal()};
-    }
   }
   // Cuts all lines on another thread, or none if the user stops it. The drawing stays, hidden, for its tool.
   void cut_drawing() {

@@ -177,6 +177,25 @@ std::vector<ProjectedLine> project_lines(std::span<const DrawnLine> lines, Vec2 
   return all;
 }
 
+void end_behind_surface(std::span<const DrawnLine> lines, Vec2 middle, double extent,
+                        const DrawingPlacement& placement, const World& world,
+                        std::span<StrokePath> strokes) {
+  KERF_ASSERT(placement.mode != DrawingMode::kWrap && lines.size() == strokes.size());
+  constexpr double kMargin = 1e-3;  // of the diagonal of the world
+  const Bounds bounds = world.bounds();
+  const std::optional<Vec3> eye = placement.plane(bounds).eye;
+  for (size_t i = 0; i < strokes.size(); ++i) {
+    const Pose& first = strokes[i].keys.front();
+    double depth = 0;
+    for (const ProjectedLine& part : project_lines(lines.subspan(i, 1), middle, extent, placement, world)) {
+      if (!part.on_surface) continue;
+      for (const Vec3& p : part.points)
+        depth = std::max(depth, eye ? glm::length(p - *eye) : glm::dot(p - first.origin, first.direction));
+    }
+    strokes[i].range = Interval{0, depth + kMargin * bounds.diagonal()};
+  }
+}
+
 std::vector<DrawingHandle> drawing_handles(const PrimaryViewport& picture, const JobPlane& plane, Vec2 half) {
   constexpr double kKnobEms = 2;
   constexpr std::array<Vec2, 4> kCorners{Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)};

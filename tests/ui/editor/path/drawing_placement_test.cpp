@@ -149,6 +149,35 @@ TEST(DrawingPlacement, the_beam_of_a_plane_starts_near_its_surface_and_that_of_a
   }
 }
 
+// Two parallel sheets, of which the beam meets the roof first.
+World roof_over_floor() {
+  World world;
+  world.add(make_body("floor", test::build(test::grid(3, 2))));
+  Body roof = make_body("roof", test::build(test::grid(3, 2)));
+  roof.placement.position = {0, 0.05, 0};
+  world.add(std::move(roof));
+  return world;
+}
+
+TEST(DrawingPlacement, the_beam_of_a_closed_line_ends_behind_the_first_surface) {
+  const World world = roof_over_floor();
+  const CameraView view = look_at({0, 5, 1}, {0, 0, 0}, 1);
+  for (const DrawingPlacement& placement :
+       {placed(DrawingMode::kPlane, view, {0, 0.05, 0}), placed(DrawingMode::kAxis, view, {0, 0.05, 0}),
+        placed(DrawingMode::kView, view, {0, 0.05, 0}),
+        placed(DrawingMode::kView, view.pulled(CameraView::kFarAway), {0, 0.05, 0})}) {
+    std::vector<StrokePath> strokes =
+        drawing_strokes(kSquare, kMiddle, placement.start(world.bounds(), kExtent));
+    end_behind_surface(kSquare, kMiddle, kExtent, placement, world, strokes);
+    ASSERT_TRUE(strokes[0].range.has_value());
+    for (const Pose& key : strokes[0].keys) {
+      const Vec3 end = key.origin + strokes[0].range->high * key.direction;
+      EXPECT_LT(end.y, 0.05) << "mode " << static_cast<int>(placement.mode);
+      EXPECT_GT(end.y, 0) << "mode " << static_cast<int>(placement.mode);
+    }
+  }
+}
+
 TEST(UncutLines, are_the_parts_where_the_axis_of_the_beam_meets_a_face) {
   const World world = world_with(test::grid(3, 2));  // -1 <= x <= 1
   const auto stroke = [](double from, double middle, double to) {

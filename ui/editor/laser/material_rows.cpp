@@ -50,8 +50,11 @@ constexpr double kBehind = 2;          // beam radii, distance at which the beam
 constexpr double kSteepest = 5;        // assumed slant if only the axis of the beam misses the sheet
 constexpr double kRests = 0.25;        // s in one place until a beam is judged there
 
-const HistoryStep& stroke_of(const Document& document) {
-  return document.history().step(*document.history().last_cut());
+// Returns the history entry of the stroke that is being cut, else of the last one, which is complete.
+std::optional<size_t> stroke_under_beam(const Document& document) {
+  const BeamQueue& pending = document.queue().pending();
+  const bool is_cut = pending.holds_moves() && document.history().cuts(pending.front_step());
+  return is_cut ? std::optional(pending.front_step()) : document.history().last_cut();
 }
 
 // Distance [m] perpendicular to the beam.
@@ -391,20 +394,22 @@ std::optional<PointerAim> aim_of(const Workspace& workspace, const PointerSpeed&
 }
 
 void StrokeWatch::follow(const Document& document, const std::optional<BeamPicture>& beam) {
-  const bool thermal =
-      document.history().last_cut() && document.history().last_settings().model == Model::kThermal;
+  const std::optional<size_t> step = stroke_under_beam(document);
+  const bool thermal = step && document.history().settings_of(*step).model == Model::kThermal;
   if (!beam || !thermal) return end(document);
-  if (!runs_) begin(document);
+  if (runs_ && *step != crossing_.step) end(document);
+  if (!runs_) begin(document, *step);
   pass(document, *beam);
 }
 
-void StrokeWatch::begin(const Document& document) {
+void StrokeWatch::begin(const Document& document, size_t step) {
   runs_ = true;
   way_.clear();
   through_ = not_through_ = 0;
   too_fast_ = 0;
   crossing_ = {};
-  crossing_.settings = document.history().last_settings();
+  crossing_.step = step;
+  crossing_.settings = document.history().settings_of(step);
   now_.reset();
 }
 
@@ -456,15 +461,15 @@ void StrokeWatch::rest(const World& world, const Place& place) {
 void StrokeWatch::end(const Document& document) {
   if (!std::exchange(runs_, false)) return;
   now_.reset();
-  if (!document.history().last_cut()) return;
+  const UndoStack& history = document.history();
+  if (crossing_.step >= history.position() || !history.cuts(crossing_.step)) return;  // it was undone
   for (size_t i = 1; i < way_.size(); ++i) judge(document.world(), way_[i]);
   now_.reset();
   way_.clear();
   const size_t all = through_ + not_through_;
   last_.reset();
   if (all == 0) return;
-  crossing_.step = *document.history().last_cut();
-  crossing_.removed_faces = stroke_of(document).totals().removed_faces;
+  crossing_.removed_faces = history.step(crossing_.step).totals().removed_faces;
   crossing_.share = static_cast<double>(through_) / static_cast<double>(all);
   crossing_.speed = not_through_ > 0 ? too_fast_ / static_cast<double>(not_through_) : 0;
   last_ = crossing_;
@@ -472,7 +477,8 @@ void StrokeWatch::end(const Document& document) {
 
 const StrokeWatch::Crossing* StrokeWatch::last(const Document& document) const {
   if (!last_ || document.history().last_cut() != last_->step) return nullptr;
-  return stroke_of(document).totals().removed_faces == last_->removed_faces ? &*last_ : nullptr;
+  const HistoryStep& stroke = document.history().step(last_->step);
+  return stroke.totals().removed_faces == last_->removed_faces ? &*last_ : nullptr;
 }
 
 std::string depth_text(const StepStatistics& statistics) {

@@ -92,7 +92,7 @@ class StrokeWatch {
     double speed = 0;      // since the previous place [m/s]
     double thickness = 0;  // extent of the hit sheet along the beam [m]
   };
-  void begin(const Document& document);
+  void begin(const Document& document, size_t step);
   void pass(const Document& document, const BeamPicture& beam);
   double record_sheet(const World& world, const Pose& axis);
   static bool is_open(const World& world, const Place& place);

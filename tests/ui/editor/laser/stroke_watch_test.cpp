@@ -30,9 +30,17 @@ class StrokeWatchTest : public testing::Test {
   }
 
   void cross(double speed) {
+    draw(0.002, speed);
+    document_.apply(EndStroke{});
+    while (document_.waiting() > 0) ASSERT_TRUE(document_.step(8).ok());
+    watch_.follow(document_, std::nullopt);
+  }
+
+  // Draws a stroke at this place, which goes on.
+  void draw(double x, double speed) {
     constexpr double kWay = 0.004;
     constexpr int kFrames = 60;
-    const auto pose = [&](double share) { return Pose{{0.002, 0.1, kWay * (share - 0.5)}, {0, -1, 0}}; };
+    const auto pose = [&](double share) { return Pose{{x, 0.1, kWay * (share - 0.5)}, {0, -1, 0}}; };
     document_.apply(BeginStroke{settings_, pose(0)});
     for (int i = 1; i <= kFrames; ++i) {
       const double share = static_cast<double>(i) / kFrames;
@@ -43,9 +51,6 @@ class StrokeWatchTest : public testing::Test {
       if (watch_.now() && !watch_.now()->through) ++shut_;
       if (watch_.now()) last_speed_ = watch_.now()->speed;
     }
-    document_.apply(EndStroke{});
-    while (document_.waiting() > 0) ASSERT_TRUE(document_.step(8).ok());
-    watch_.follow(document_, std::nullopt);
   }
 
   Sheet sheet_;
@@ -77,6 +82,26 @@ TEST_F(StrokeWatchTest, fast_stroke_does_not_cut_through_and_is_kept_until_undo)
   EXPECT_NEAR(last->met.slant, 1, 1e-9);
   document_.apply(Undo{});
   EXPECT_EQ(watch_.last(document_), nullptr);
+}
+
+TEST_F(StrokeWatchTest, a_stroke_that_is_undone_leaves_the_result_of_the_one_before) {
+  const double power = settings_.laser.power, speed = 2.5 * fastest();
+  cross(speed);
+  settings_.laser.power = 0.25 * power;
+  draw(-0.002, speed);
+  document_.apply(Undo{});
+  watch_.follow(document_, std::nullopt);
+  ASSERT_NE(watch_.last(document_), nullptr);
+  EXPECT_EQ(watch_.last(document_)->settings.laser.power, power);
+}
+
+TEST_F(StrokeWatchTest, a_stroke_without_a_pause_before_it_is_judged_by_its_own_settings) {
+  const double power = settings_.laser.power, speed = 2.5 * fastest();
+  draw(-0.002, speed);
+  settings_.laser.power = 0.25 * power;
+  cross(speed);
+  ASSERT_NE(watch_.last(document_), nullptr);
+  EXPECT_EQ(watch_.last(document_)->settings.laser.power, 0.25 * power);
 }
 
 }  // namespace

@@ -395,7 +395,7 @@ std::string PathTool::press(PathWork& path, const World& world, const ViewState&
   const PrimaryViewport picture(view);
   if (const auto grip = path_grip(path, world, picture, pointer); grip && !new_stroke) {
     path.select(grip->point);
-    take(grip->is_knob ? Grip::kKnob : Grip::kTarget, false, pointer);
+    take(path, grip->is_knob ? Grip::kKnob : Grip::kTarget, false, pointer);
     return "";
   }
   const auto surface = surface_point(world, view.look, picture.ray(pointer));
@@ -404,17 +404,20 @@ std::string PathTool::press(PathWork& path, const World& world, const ViewState&
   path.begin_edit();
   path.add({surface->at - direction * beam.height, direction}, beam.height, new_stroke, beam.radius,
            beam.speed);
-  take(Grip::kTarget, true, pointer);
+  take(path, Grip::kTarget, true, pointer);
   return "";
 }
 
-void PathTool::take(Grip grip, bool edits, Vec2 pointer) {
+void PathTool::take(const PathWork& path, Grip grip, bool edits, Vec2 pointer) {
   grip_ = grip;
   edits_ = edits;
+  dragged_ = path.selected();
+  points_ = path.points();
   pressed_at_ = pointer;
 }
 
 void PathTool::move(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) {
+  if (path.selected() != dragged_ || path.points() != points_) release();
   if (grip_ == Grip::kNone || !path.selected()) return;
   if (glm::length(pointer - pressed_at_) < kMinDrag && !edits_) return;
   if (!edits_) path.begin_edit();

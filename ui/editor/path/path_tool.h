@@ -159,7 +159,7 @@ void draw_path(const PathWork& path, const World& world, const PrimaryViewport& 
 // Left button of the Path tool. A press on a surface adds a point there, which the drag moves; its beam is
 // perpendicular to the surface. Dragging a dot moves its point over the surfaces and keeps the angle of its
 // beam to them. Dragging the knob turns the beam of the selected point about its target. `pointer` is in the
-// window, in screen coordinates.
+// window, in screen coordinates. The drag ends if its point is deleted.
 class PathTool {
  public:
   struct Beam {
@@ -179,12 +179,14 @@ class PathTool {
 
  private:
   enum class Grip { kNone, kTarget, kKnob };
-  void take(Grip grip, bool edits, Vec2 pointer);
+  void take(const PathWork& path, Grip grip, bool edits, Vec2 pointer);
   void drag_target(PathWork& path, const World& world, const ViewState& view, Vec2 pointer) const;
   void drag_knob(PathWork& path, const ViewState& view, Vec2 pointer) const;
 
   Grip grip_ = Grip::kNone;
-  bool edits_ = false;  // the drag has begun an undo step
+  bool edits_ = false;                // the drag has begun an undo step
+  std::optional<PathPoint> dragged_;  // the selected point at the press
+  size_t points_ = 0;                 // of the path at the press
   Vec2 pressed_at_{0};
 };
 

@@ -76,6 +76,18 @@ TEST_F(PathToolTest, a_click_on_a_point_selects_it_without_an_edit) {
   EXPECT_EQ(path.changes(), changes);
 }
 
+TEST_F(PathToolTest, a_drag_ends_when_its_point_is_deleted) {
+  press(middle() + Vec2(-80, 0));
+  tool.release();
+  press(middle());
+  path.begin_edit();
+  path.remove(*path.selected());
+  const Vec3 other = path.target({0, 0});
+  tool.move(path, world, view, middle() + Vec2(60, 40));
+  ASSERT_EQ(path.points(), 1u);
+  EXPECT_EQ(path.target({0, 0}), other);
+}
+
 TEST_F(PathToolTest, the_knob_rotates_the_beam_about_its_target) {
   press(middle() + Vec2(120, 0));
   tool.release();

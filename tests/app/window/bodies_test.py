@@ -117,6 +117,27 @@ class Bodies(WindowTest):
         self.assertAlmostEqual(report["time"]["ground"], -0.02)
         self.assertEqual(report["undo_depth"], 4)
 
+    def test_gravity_keeps_its_value_when_the_ground_moves_in_another_unit(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.only_panel("bodies")
+        editor = self.open_again(SPHERE)
+        editor.click("gravity on", 0.5, 0.5)
+        editor.click("gravity on", 0.5, 0.5)
+        editor.press("ctrl", "p")
+        editor.part("palette")
+        editor.type("Unit mm")
+        editor.press("Return")
+        editor.settle()
+        editor.click("Ground", 0.3, 0.5)
+        editor.press("ctrl", "a")
+        editor.type("-20")
+        editor.do("Return")
+        report = editor.quit()
+        self.assertEqual(report["view"]["frame"]["unit"], "mm")
+        self.assertAlmostEqual(report["time"]["gravity"][1], -9810)
+
     def test_a_drag_pulls_a_body_up_by_a_spring_during_play(self):
         editor = self.open(SPHERE)
         editor.press("k")

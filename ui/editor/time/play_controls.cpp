@@ -395,15 +395,13 @@ void draw_statistics(const TickStatistics& statistics) {
 void BodiesPanel::draw_environment(Workspace& workspace) {
   const World& world = workspace.world();
   const FileFrame& frame = workspace.view.frame;
-  Environment around = world.environment();
+  Environment around = fitting_environment(world, frame);
   const double metres = metres_per_unit(frame.unit);
   bool gravity = around.gravity != Vec3(0);
   property("Gravity");
   if (ImGui::Checkbox("##gravity", &gravity)) workspace.changes.enqueue(with_gravity(world, frame, gravity));
   mark_last_item("gravity on");
   tooltip("Switches gravity on or off.");
-  if (!around.ground) around = default_environment(world, frame);
-  around.metre = 1 / metres;
   double value = metres * glm::length(around.gravity);
   const Vec3 down = from_y_up({0, -1, 0}, frame.up);
   if (gravity &&

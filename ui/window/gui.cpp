@@ -134,6 +134,11 @@ bool is_text_field_active() {
   return context.WithinFrameScope ? context.IO.WantTextInput : context.WantTextInputNextFrame == 1;
 }
 
+bool are_keys_free() {
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  return !is_text_field_active() && !ImGui::IsPopupOpen(nullptr, kAny);
+}
+
 void GuiInput::add(std::span<const InputEvent> events) {
   queue_.insert(queue_.end(), events.begin(), events.end());
 }

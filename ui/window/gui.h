@@ -25,6 +25,9 @@ enum class KeyboardHold {
 // Returns true if a text field of ImGui has the keyboard focus, so that keys are no shortcuts.
 // Precondition: an ImGui context is current.
 bool is_text_field_active();
+// Returns true if no text field has the keyboard focus and no popup is open, so that keys act on the
+// viewport. Same precondition.
+bool are_keys_free();
 
 // The queue of input events between a window and ImGui 1.86, which samples the state of keys and buttons
 // once per frame and would miss two changes within one. A frame gets as many events as it can show in their

@@ -272,7 +272,8 @@ class KnifeFeature : public Feature {
 
   bool handle_event(const InputEvent& event, bool) override {
     polyline_.follow((event.mods & GLFW_MOD_SHIFT) != 0);
-    if (event.kind != InputEvent::Kind::kKey || polyline_.empty() || is_text_field_active()) return false;
+    if (event.kind != InputEvent::Kind::kKey || polyline_.empty()) return false;
+    if ((event.mods & GLFW_MOD_CONTROL) != 0 || !are_keys_free()) return false;
     switch (event.button) {
       case GLFW_KEY_ENTER:
       case GLFW_KEY_KP_ENTER:

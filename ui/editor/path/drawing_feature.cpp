@@ -69,8 +69,7 @@ class DrawingFeature : public Feature {
   bool handle_event(const InputEvent& event, bool) override {
     const bool is_enter = event.button == GLFW_KEY_ENTER || event.button == GLFW_KEY_KP_ENTER;
     if (event.kind != InputEvent::Kind::kKey || !is_enter || !is_shown()) return false;
-    constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
-    if (is_text_field_active() || ImGui::IsPopupOpen(nullptr, kAny)) return false;
+    if ((event.mods & GLFW_MOD_CONTROL) != 0 || !are_keys_free()) return false;
     request_drawing_cut();
     return true;
   }

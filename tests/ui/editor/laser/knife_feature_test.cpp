@@ -1,5 +1,6 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 #include <algorithm>
 
 #include "core/base/random.h"
@@ -213,6 +214,34 @@ TEST(KnifeFeature, cuts_at_the_section_plane_only_while_it_is_shown) {
   workspace.view.look.section = SectionPlane::facing({0, 0.1, 0}, {0, 1, 0});
   cut->run();
   EXPECT_TRUE(workspace.changes.has_requests());
+}
+
+TEST(KnifeFeature, keys_of_a_popup_and_with_ctrl_leave_the_polyline) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().DisplaySize = {1000, 700};
+  ImGui::GetIO().Fonts->Build();
+  Workspace workspace;
+  workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+  const auto knife = knife_feature(workspace);
+  const std::vector<UserAction> actions = knife->actions();
+  find_action(actions, "knife.polyline")->run();
+  for (const double x : {400, 500, 600}) {
+    workspace.input.pointer = {x, 350};
+    (void)knife->begin_interaction({{InputEvent::Kind::kPress, workspace.input.pointer}});
+  }
+  const auto takes = [&](int key, int mods) {
+    return knife->handle_event({InputEvent::Kind::kKey, workspace.input.pointer, key, mods}, false);
+  };
+  EXPECT_FALSE(takes(GLFW_KEY_ENTER, GLFW_MOD_CONTROL));  // runs the path
+  EXPECT_TRUE(takes(GLFW_KEY_BACKSPACE, 0));
+  ImGui::NewFrame();
+  ImGui::OpenPopup("menu");
+  ImGui::EndFrame();
+  EXPECT_FALSE(takes(GLFW_KEY_ENTER, 0));
+  EXPECT_FALSE(takes(GLFW_KEY_BACKSPACE, 0));
+  EXPECT_TRUE(knife->discard_draft());
+  ImGui::DestroyContext();
 }
 
 }  // namespace

@@ -387,8 +387,7 @@ class LaserFeature : public Feature {
         now.rule == Resolution::Rule::kTargetEdge ? std::optional(now.edge_fraction) : std::nullopt;
     const auto fraction = chart_.draw(workspace_.view.frame.unit, current);
     if (!fraction) return;
-    workspace_.laser.resolution.rule = Resolution::Rule::kTargetEdge;
-    workspace_.laser.resolution.edge_fraction = *fraction;
+    chart_.show(*fraction, workspace_.laser.resolution);
     recut_.request(false);
   }
   // Draws a ring with the width of the cut at the pointer.

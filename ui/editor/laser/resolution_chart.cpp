@@ -130,14 +130,16 @@ bool ResolutionChart::Stroke::is_same(const Stroke& other) const {
   const auto are_same = [](const Pose& a, const Pose& b) {
     return a.origin == b.origin && a.direction == b.direction;
   };
-  return step == other.step && radius == other.radius && pattern == other.pattern &&
-         std::ranges::equal(poses, other.poses, are_same);
+  return step == other.step && radius == other.radius && pattern == other.pattern && scheme == other.scheme &&
+         rim == other.rim && std::ranges::equal(poses, other.poses, are_same);
 }
 
 ResolutionChart::Stroke ResolutionChart::last_stroke(const UndoStack& history) {
   const size_t step = history.base_of(*history.last_cut());
-  const Laser& laser = history.last_settings().laser;
-  Stroke stroke{step, laser.radius, laser.pattern, {}};
+  const CutSettings& settings = history.last_settings();
+  const Laser& laser = settings.laser;
+  const Resolution& resolution = settings.resolution;
+  Stroke stroke{step, laser.radius, laser.pattern, resolution.scheme, resolution.rim, {}};
   for (const Command& command : history.step(step).commands()) {
     if (const auto* start = std::get_if<BeginStroke>(&command)) stroke.poses.push_back(start->pose);
     if (const auto* move = std::get_if<MoveBeam>(&command)) stroke.poses.push_back(move->pose);
@@ -163,7 +165,7 @@ void ResolutionChart::advance(Document& document, double seconds) {
   }
   if (!busy()) return;
   ResolutionControls controls;
-  controls.edge_fraction = kFractions.at(next_);
+  show(kFractions.at(next_), controls);
   twin_.follow(document, controls);
   if (!twin_.there()) return clear();
   const Clock::time_point began = Clock::now();
@@ -183,6 +185,13 @@ void ResolutionChart::advance(Document& document, double seconds) {
   samples_.push_back({kFractions.at(next_), twin_.faces_made(), std::exchange(seconds_, 0), rim_->error()});
   rim_.reset();
   if (++next_ == kFractions.size()) twin_.forget();
+}
+
+void ResolutionChart::show(double fraction, ResolutionControls& controls) const {
+  controls.scheme = stroke_.scheme;
+  controls.rule = Resolution::Rule::kTargetEdge;
+  controls.edge_fraction = fraction;
+  controls.rim = stroke_.rim;
 }
 
 std::optional<double> ResolutionChart::draw(FileUnit unit, std::optional<double> current) const {

@@ -41,8 +41,8 @@ class RimError {
   std::optional<double> error_;
 };
 
-// The last stroke cut at five edge lengths, one after the other, with the faces that each created and the
-// error of its rim.
+// The last stroke cut at five edge lengths with its own scheme and rim, one after the other, with the faces
+// that each created and the error of its rim.
 class ResolutionChart {
  public:
   static constexpr std::array kFractions{1.0, 0.5, 0.25, 0.125, 0.0625};  // of the radius
@@ -58,24 +58,29 @@ class ResolutionChart {
   void begin(const Document& document);
   bool busy() const { return next_ < kFractions.size(); }
   // Cuts or measures for about `seconds` while busy. Clears the chart if the stroke is no longer the last one
-  // or has another radius, if it cannot be copied, or if it is recut before the chart is complete. Called
-  // once per frame.
+  // or has another radius, scheme or rim, if it cannot be copied, or if it is recut before the chart is
+  // complete. Called once per frame.
   void advance(Document& document, double seconds);
   void clear() { *this = ResolutionChart(); }
 
   // The finished samples, coarse to fine.
   const std::vector<Sample>& samples() const { return samples_; }
 
+  // Sets the controls to the resolution of a sample.
+  void show(double fraction, ResolutionControls& controls) const;
+
   // Draws the samples in the current panel: faces to the right, errors upwards, both logarithmic. A ring
   // marks the sample of the fraction `current`. Returns the fraction that was clicked.
   std::optional<double> draw(FileUnit unit, std::optional<double> current) const;
 
  private:
-  // The properties of a stroke on which the samples depend; its resolution is not one of them.
+  // The properties of a stroke on which the samples depend; its edge length is not one of them.
   struct Stroke {
     size_t step = 0;    // of the history, without its recuts
     double radius = 0;  // m
     Pattern pattern = Pattern::kVolume;
+    Scheme scheme = Scheme::kLongestEdge;
+    Rim rim = Rim::kSmooth;
     std::vector<Pose> poses;
     bool is_same(const Stroke& other) const;
   };

@@ -164,6 +164,31 @@ TEST_F(TwinCutTest, a_finished_chart_lasts_until_its_stroke_is_no_longer_the_las
   EXPECT_EQ(size(), 0u);
 }
 
+TEST_F(TwinCutTest, the_chart_cuts_with_the_scheme_and_the_rim_of_the_stroke) {
+  for (const Scheme scheme : {Scheme::kOneToFour, Scheme::kLongestEdge}) {
+    for (const Rim rim : {Rim::kFaces, Rim::kSmooth}) {
+      CutSettings own = settings(0.025);
+      own.resolution.scheme = scheme;
+      own.resolution.rim = rim;
+      first.apply(BeginStroke{own, {{-0.3, 0.1, 5}, {0, 0, -1}}});
+      first.apply(MoveBeam{{{0.3, 0.1, 5}, {0, 0, -1}}});
+      first.apply(EndStroke{});
+      cut_first();
+      ResolutionChart chart = chart_of_last_stroke();
+      ASSERT_EQ(chart.samples().size(), ResolutionChart::kFractions.size());
+      EXPECT_EQ(chart.samples()[2].faces, first.history().last().totals().statistics.faces_made);
+      own.resolution.rim = rim == Rim::kFaces ? Rim::kSmooth : Rim::kFaces;
+      ASSERT_TRUE(first.apply(Recut{own}).ok());
+      cut_first();
+      chart.advance(first, 1);
+      EXPECT_TRUE(chart.samples().empty()) << "its rim was another";
+      first.apply(Undo{});
+      first.apply(Undo{});
+      cut_first();
+    }
+  }
+}
+
 // Against the distances from the segment that the axis sweeps, seen along the beam.
 TEST_F(TwinCutTest, the_chart_has_five_resolutions_and_the_errors_of_their_rims) {
   draw_stroke(0.1);

@@ -139,8 +139,8 @@ struct MaterialChange {
   std::string cut_material;  // empty: unchanged
 };
 
-// Draws the choice of the material of walls among the materials of a solid body. Returns the selected one, or
-// an empty name.
+// Draws the choice of the material of walls among the materials of a solid body. Returns the one that was
+// clicked, or an empty name.
 std::string draw_cut_material(const Body& body) {
   std::string selected;
   property("Cut Material");
@@ -150,8 +150,7 @@ std::string draw_cut_material(const Body& body) {
     return selected;
   }
   for (const std::string& name : body.material_names) {
-    if (name.empty() || !ImGui::Selectable(name.c_str(), name == body.cut_material)) continue;
-    if (name != body.cut_material) selected = name;
+    if (!name.empty() && ImGui::Selectable(name.c_str(), name == body.cut_material)) selected = name;
   }
   ImGui::EndCombo();
   return selected;
@@ -213,7 +212,7 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   if (begin_fitted_combo("##material", own != materials->end() ? own->title : "Custom")) {
     for (const Material& material : *materials) {
       if (!ImGui::Selectable(material.title.c_str(), material.substance == sheet.substance)) continue;
-      changed = material.substance != sheet.substance;
+      changed = true;  // of other pieces, if not of this one
       sheet.substance = material.substance;
       sheet.density = material.substance.density;
     }

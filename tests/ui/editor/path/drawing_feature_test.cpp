@@ -70,5 +70,16 @@ TEST(DrawingFeature, a_drag_is_over_when_an_action_removes_the_drawing) {
   }
 }
 
+TEST(DrawingFeature, a_press_in_the_exploded_view_redraws_the_pieces_in_place) {
+  DrawingBench bench;
+  const auto at = bench.place_of("drawing");
+  ASSERT_TRUE(at.has_value());
+  bench.workspace.view.spread = 1;
+  bench.workspace.view.picture_old = false;
+  bench.handle(InputEvent::Kind::kPress, at->at);
+  EXPECT_EQ(bench.workspace.view.spread, 0);
+  EXPECT_TRUE(bench.workspace.view.picture_old);
+}
+
 }  // namespace
 }  // namespace kerf

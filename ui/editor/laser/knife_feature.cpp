@@ -288,6 +288,7 @@ class KnifeFeature : public Feature {
   }
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
     if (!is_active()) return nullptr;
+    end_exploded_view(workspace_.world(), workspace_.view);
     workspace_.view.camera.finish();
     workspace_.message.clear();
     if (shape_ == KnifeShape::kLasso) return std::make_unique<DrawnLasso>(workspace_);

@@ -216,6 +216,25 @@ TEST(KnifeFeature, cuts_at_the_section_plane_only_while_it_is_shown) {
   EXPECT_TRUE(workspace.changes.has_requests());
 }
 
+TEST(KnifeFeature, a_press_shows_the_pieces_where_they_are_cut) {
+  for (const char* shape : {"knife.line", "knife.lasso", "knife.polyline"}) {
+    Workspace workspace;
+    World world;
+    world.add(make_body("ball", test::build(test::sphere(12, 16, 1))));
+    workspace.session.document = Document(std::move(world));
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    const auto knife = knife_feature(workspace);
+    const std::vector<UserAction> actions = knife->actions();
+    find_action(actions, shape)->run();
+    workspace.view.spread = 1;
+    workspace.view.picture_old = false;
+    workspace.input.pointer = {500, 350};
+    (void)knife->begin_interaction({{InputEvent::Kind::kPress, workspace.input.pointer}});
+    EXPECT_EQ(workspace.view.spread, 0) << shape;
+    EXPECT_TRUE(workspace.view.picture_old) << shape;
+  }
+}
+
 TEST(KnifeFeature, keys_of_a_popup_and_with_ctrl_leave_the_polyline) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;

@@ -400,6 +400,10 @@ bool EditedText::was_active(uint32_t id) const {
   return typed_at_ == ImGui::GetFrameCount() - 1 && ImGui::GetCurrentContext()->ActiveIdPreviousFrame == id;
 }
 
+bool EditedText::is_active() const {
+  return typed_at_ >= ImGui::GetFrameCount() - 1 && ImGui::GetActiveID() != 0;
+}
+
 std::optional<std::string> EditedText::draw(const char* id, const std::string& shown,
                                             const std::string& fitted) {
   std::array<char, std::tuple_size_v<decltype(typed_)>> text{};

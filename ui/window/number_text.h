@@ -125,6 +125,8 @@ class EditedText {
   // Returns true if this field was edited in the last frame. If another item has become active since, call
   // draw() once more, which reports the entry.
   bool was_active(uint32_t id) const;
+  // Returns true if a field was edited in the last frame and has not reported its entry since.
+  bool is_active() const;
 
  private:
   struct Edit {
@@ -154,6 +156,8 @@ class NumberFields {
   // A row with one field for an integer within a range, shown with grouped digits; grouping is optional in
   // the entry. Rounds the entry.
   bool count(const char* name, size_t& value, const char* meaning, size_t least, size_t most);
+  // Returns true if a field is being edited, so that its entry is still to come.
+  bool is_active() const { return text_.is_active(); }
 
  private:
   bool field(double& value, const NumberEntry& entry, const char* meaning);

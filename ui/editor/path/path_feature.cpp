@@ -383,8 +383,14 @@ void PathPanel::draw_speed(PathWork& path, FileUnit unit) {
   path.set_speed(speed);
 }
 
-void PathPanel::draw_radius(PathWork& path, const World& world, FileUnit unit) {
-  const size_t stroke = path.selected()->stroke;
+// Returns the point whose numbers are shown: the selected one. A press in the viewport selects another one
+// before a field that it leaves has reported its entry, which belongs to the point before.
+const std::optional<PathPoint>& PathPanel::point_of_fields(const PathWork& path) {
+  if (!fields_.is_active() || !edited_ || !path.has(*edited_)) edited_ = path.selected();
+  return edited_;
+}
+
+void PathPanel::draw_radius(PathWork& path, size_t stroke, const World& world, FileUnit unit) {
   const StrokePath& drawn = path.strokes()[stroke];
   double radius = default_settings(drawn, world.bounds().diagonal()).laser.radius;
   if (!length_field(fields_, "Beam Radius", radius, label_unit(radius, unit),
@@ -407,7 +413,7 @@ void PathPanel::draw_beam(PathWork& path, bool& at_panel_resolution, const World
   if (path.empty() || !begin_properties("beam")) return;
   draw_speed(path, unit);
   draw_resolution(at_panel_resolution);
-  if (path.selected()) draw_radius(path, world, unit);
+  if (const auto& point = point_of_fields(path)) draw_radius(path, point->stroke, world, unit);
   end_properties();
 }
 
@@ -450,8 +456,8 @@ void PathPanel::draw_list(PathWork& path, const World& world, FileUnit unit) {
 }
 
 void PathPanel::draw_selected(PathWork& path, const World& world, FileUnit unit) {
-  if (!path.selected() || !begin_properties("point")) return;
-  const PathPoint point = *path.selected();
+  if (!point_of_fields(path) || !begin_properties("point")) return;
+  const PathPoint point = *edited_;
   Vec3 target = path.target(point), direction = path.pose(point).direction;
   double distance = path.distance(point);
   bool edited =

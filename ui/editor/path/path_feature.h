@@ -30,7 +30,8 @@ class PathPanel {
  private:
   void draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
                     const PathActions& requests);
-  void draw_radius(PathWork& path, const World& world, FileUnit unit);
+  const std::optional<PathPoint>& point_of_fields(const PathWork& path);
+  void draw_radius(PathWork& path, size_t stroke, const World& world, FileUnit unit);
   void draw_beam(PathWork& path, bool& at_panel_resolution, const World& world, FileUnit unit);
   void draw_list(PathWork& path, const World& world, FileUnit unit);
   void draw_row(PathWork& path, PathPoint point, int number, double unit, double diagonal);
@@ -38,7 +39,8 @@ class PathPanel {
 
   NumberFields fields_;
   HoleForm holes_;
-  std::optional<PathPoint> shown_;  // point that the list was last scrolled to
+  std::optional<PathPoint> shown_;   // point that the list was last scrolled to
+  std::optional<PathPoint> edited_;  // point whose numbers are shown
 };
 
 }  // namespace kerf

@@ -28,6 +28,9 @@ class PathWork {
   const std::vector<StrokePath>& strokes() const { return now_.strokes; }
   bool empty() const { return now_.strokes.empty(); }
   size_t points() const;
+  bool has(PathPoint p) const {
+    return p.stroke < now_.strokes.size() && p.key < now_.strokes[p.stroke].keys.size();
+  }
   // Precondition of all functions that take a point: the path has it.
   const Pose& pose(PathPoint p) const {
     KERF_ASSERT(has(p));
@@ -102,9 +105,6 @@ class PathWork {
     std::vector<std::vector<double>> distances;  // one per key [m]
     std::optional<double> speed;                 // as set [m/s]
   };
-  bool has(PathPoint p) const {
-    return p.stroke < now_.strokes.size() && p.key < now_.strokes[p.stroke].keys.size();
-  }
   void replace(Version version);
   void keep_speed(size_t stroke);
 

@@ -1,9 +1,12 @@
 #include "ui/editor/path/path_tool.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "tests/support/made_meshes.h"
 #include "ui/editor/path/emitter.h"
+#include "ui/editor/path/path_feature.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 namespace {
@@ -98,6 +101,64 @@ TEST_F(PathToolTest, the_knob_rotates_the_beam_about_its_target) {
   EXPECT_LT(glm::length(path.target({0, 0}) - target), 1e-12);
   EXPECT_LT(glm::dot(path.pose({0, 0}).direction, direction), 0.99);
   EXPECT_LT(path.pose({0, 0}).direction.y, direction.y - 0.1);  // the origin went up
+}
+
+// The panel of the path, of which no pixel is drawn.
+class PathPanelTest : public PathToolTest {
+ protected:
+  PathPanelTest() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {1000, 1000};
+    io.Fonts->Build();
+    keep_landmarks(&landmarks);
+  }
+  ~PathPanelTest() override {
+    keep_landmarks(nullptr);
+    ImGui::DestroyContext();
+  }
+  void frame() {
+    landmarks.begin_frame();
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({400, 1000});
+    ImGui::Begin("path", nullptr, ImGuiWindowFlags_NoDecoration);
+    panel.draw(path, at_panel_resolution, view, world, PathTool::beam_for(world, 0.02), nullptr, {});
+    ImGui::End();
+    ImGui::Render();
+  }
+  void click(Vec2 at) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = to_im(at);
+    frame();
+    for (const bool down : {true, false}) {
+      io.MouseDown[0] = down;
+      frame();
+    }
+  }
+
+  Landmarks landmarks{std::nullopt};
+  PathPanel panel;
+  bool at_panel_resolution = false;
+};
+
+TEST_F(PathPanelTest, a_number_that_a_press_in_the_viewport_ends_belongs_to_the_point_before) {
+  for (const double x : {0.0, 80.0}) {
+    press(middle() + Vec2(x, 0));
+    tool.release();
+  }
+  for (int i = 0; i < 3; ++i) frame();  // until the window has the size of its content
+  const auto field = landmarks.find("Target 1");
+  ASSERT_TRUE(field.has_value());
+  click(field->at + 0.5 * field->size);
+  ImGui::GetIO().AddInputCharactersUTF8("0.25");
+  frame();
+  const Vec3 other = path.target({0, 0});
+  path.select(PathPoint{0, 0});
+  click({800, 500});
+  EXPECT_DOUBLE_EQ(path.target({0, 1}).y, 0.25);
+  EXPECT_EQ(path.target({0, 0}), other);
 }
 
 TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims_it) {

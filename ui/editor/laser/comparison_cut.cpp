@@ -175,6 +175,7 @@ void TwinCut::begin(Document& first, const Resolution& resolution) {
   document_.set_window(0);
   resolution_ = resolution;
   revision_ = first.revision();
+  position_ = first.history().position();
   commands_ = 0;
   begun_ = true;
 }
@@ -183,7 +184,8 @@ bool TwinCut::follow(Document& first, const ResolutionControls& controls) {
   const UndoStack& history = first.history();
   if (!history.last_cut()) {
     const bool fits = first.world().live_faces() <= Document::kMaxFacesToCopy;
-    const bool restarted = !begun_ || first.revision() != revision_ || (!there_ && fits);
+    const bool is_old = first.revision() != revision_ || history.position() != position_;
+    const bool restarted = !begun_ || is_old || (!there_ && fits);
     if (restarted) begin(first, controls.of(1));
     return restarted;
   }

@@ -9,9 +9,9 @@ namespace kerf {
 // just with different parameters".
 class TwinCut {
  public:
-  // Restarts if the last stroke of the document or the resolution has changed, and queues the commands added
-  // to the stroke since the last call. Returns true if world() was replaced, so that everything derived from
-  // it must be rebuilt.
+  // Restarts if the last stroke of the document, or an uncut document, or the resolution has changed, and
+  // queues the commands added to the stroke since the last call. Returns true if world() was replaced, so
+  // that everything derived from it must be rebuilt.
   bool follow(Document& first, const ResolutionControls& resolution);
 
   // Executes up to `moves` queued moves as one step, like Document::step.
@@ -38,6 +38,7 @@ class TwinCut {
   Resolution resolution_;
   bool there_ = false, begun_ = false;
   size_t revision_ = 0;  // of the document
+  size_t position_ = 0;  // of its history
   size_t commands_ = 0;  // of its last stroke that were queued
 };
 

@@ -78,6 +78,14 @@ TEST_F(TwinCutTest, follows_a_continuing_stroke) {
   EXPECT_FALSE(twin.follow(first, fine));
 }
 
+TEST_F(TwinCutTest, follows_edits_of_an_uncut_document) {
+  EXPECT_TRUE(twin.follow(first, fine));
+  ASSERT_TRUE(first.apply(SubdividePiece{{first.world().ids().front(), 0}}).ok());
+  EXPECT_TRUE(twin.follow(first, fine));
+  EXPECT_EQ(state_hash(twin.world()), state_hash(first.world()));
+  EXPECT_FALSE(twin.follow(first, fine));
+}
+
 TEST_F(TwinCutTest, differs_only_in_the_last_stroke) {
   draw_stroke(0.4);
   draw_stroke(-0.4);

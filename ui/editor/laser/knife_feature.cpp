@@ -177,9 +177,9 @@ class DrawnPolyline {
     const bool again = !points_.empty() && glm::length(at - points_.back()) <= kClickReach;
     if (again && event.seconds - clicked_at_ <= kDoubleClick) return finish(false);
     if (closes(at)) return finish(true);
-    if (again) return;
-    if (would_cross(points_, at)) return workspace_.message.info("The line would cross itself there.");
-    points_.push_back(at);
+    if (!again && would_cross(points_, at))
+      return workspace_.message.info("The line would cross itself there.");
+    if (!again) points_.push_back(at);
     clicked_at_ = event.seconds;
   }
   void follow(bool shift) { shift_ = shift; }
@@ -233,7 +233,7 @@ class DrawnPolyline {
   Workspace& workspace_;
   CameraView camera_;         // of the first point
   std::vector<Vec2> points_;  // screen coordinates, in the first half of a split view
-  double clicked_at_ = 0;     // s
+  double clicked_at_ = 0;     // s, at the last point
   bool shift_ = false;        // held at the last event
 };
 

@@ -235,6 +235,28 @@ TEST(KnifeFeature, a_press_shows_the_pieces_where_they_are_cut) {
   }
 }
 
+TEST(KnifeFeature, a_double_click_ends_a_polyline_also_some_time_after_its_last_point) {
+  Workspace workspace;
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(12, 16, 1))));
+  workspace.session.document = Document(std::move(world));
+  workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+  const auto knife = knife_feature(workspace);
+  const std::vector<UserAction> actions = knife->actions();
+  find_action(actions, "knife.polyline")->run();
+  const auto click = [&](double x, double seconds) {
+    workspace.input.pointer = {x, 350};
+    InputEvent press{InputEvent::Kind::kPress, workspace.input.pointer};
+    press.seconds = seconds;
+    (void)knife->begin_interaction({press});
+    return workspace.changes.has_requests();
+  };
+  EXPECT_FALSE(click(400, 10));
+  EXPECT_FALSE(click(600, 11));
+  EXPECT_FALSE(click(600, 13));
+  EXPECT_TRUE(click(600, 13.2));
+}
+
 TEST(KnifeFeature, keys_of_a_popup_and_with_ctrl_leave_the_polyline) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;

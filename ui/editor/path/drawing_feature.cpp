@@ -473,7 +473,7 @@ class DrawingFeature : public Feature {
     std::vector<StrokePath> all = drawing_strokes(
         lines, drawing_->middle(), placement_.start(bounds, placement_.scale * drawing_->extent()));
     set_lasers(layers_, lines, all);
-    if (first_surface_ && placement_.mode != DrawingMode::kWrap)
+    if (first_surface_)
       end_behind_surface(lines, drawing_->middle(), drawing_->extent(), placement_, workspace_.world(), all);
     return all;
   }

@@ -88,6 +88,14 @@ std::optional<double> enters_cylinder(const JobPlane& plane, const Pose& ray) {
   return distance > 0 ? std::optional(distance) : std::nullopt;
 }
 
+// Returns the distance of a point from the origin of the beam through it, of a stroke with this first key.
+double depth_of(const JobPlane& plane, const Pose& first, const Vec3& p) {
+  if (plane.eye) return glm::length(p - *plane.eye);
+  if (plane.wrap == 0) return glm::dot(p - first.origin, first.direction);
+  const Vec3 from = p - (plane.at + plane.wrap * plane.beam);
+  return 2 * plane.wrap - glm::length(from - glm::dot(from, plane.up) * plane.up);
+}
+
 }  // namespace
 
 JobPlane DrawingPlacement::plane(const Bounds& bounds) const {
@@ -180,17 +188,15 @@ std::vector<ProjectedLine> project_lines(std::span<const DrawnLine> lines, Vec2 
 void end_behind_surface(std::span<const DrawnLine> lines, Vec2 middle, double extent,
                         const DrawingPlacement& placement, const World& world,
                         std::span<StrokePath> strokes) {
-  KERF_ASSERT(placement.mode != DrawingMode::kWrap && lines.size() == strokes.size());
+  KERF_ASSERT(lines.size() == strokes.size());
   constexpr double kMargin = 1e-3;  // of the diagonal of the world
   const Bounds bounds = world.bounds();
-  const std::optional<Vec3> eye = placement.plane(bounds).eye;
+  const JobPlane plane = placement.plane(bounds);
   for (size_t i = 0; i < strokes.size(); ++i) {
-    const Pose& first = strokes[i].keys.front();
     double depth = 0;
     for (const ProjectedLine& part : project_lines(lines.subspan(i, 1), middle, extent, placement, world)) {
       if (!part.on_surface) continue;
-      for (const Vec3& p : part.points)
-        depth = std::max(depth, eye ? glm::length(p - *eye) : glm::dot(p - first.origin, first.direction));
+      for (const Vec3& p : part.points) depth = std::max(depth, depth_of(plane, strokes[i].keys.front(), p));
     }
     strokes[i].range = Interval{0, depth + kMargin * bounds.diagonal()};
   }

@@ -61,7 +61,6 @@ std::vector<ProjectedLine> project_lines(std::span<const DrawnLine> lines, Vec2 
 
 // Ends the beams of strokes, one per line as drawing_strokes() returns them from placement.start(), a little
 // behind the farthest first surface along each line. Costs as much as project_lines() for each line.
-// Precondition: the placement is not kWrap.
 void end_behind_surface(std::span<const DrawnLine> lines, Vec2 middle, double extent,
                         const DrawingPlacement& placement, const World& world, std::span<StrokePath> strokes);
 

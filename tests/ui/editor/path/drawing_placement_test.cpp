@@ -178,6 +178,21 @@ TEST(DrawingPlacement, the_beam_of_a_closed_line_ends_behind_the_first_surface) 
   }
 }
 
+TEST(DrawingPlacement, a_beam_round_a_cylinder_ends_behind_the_first_surface) {
+  World world = world_with(test::sphere(40, 60, 1));
+  world.add(make_body("inner", test::build(test::sphere(40, 60, 0.9))));
+  const DrawingPlacement placement = placed(DrawingMode::kWrap, look_at({0, 0, 5}, {0, 0, 0}, 1), {0, 0, 1});
+  std::vector<StrokePath> strokes =
+      drawing_strokes(kSquare, kMiddle, placement.start(world.bounds(), kExtent));
+  end_behind_surface(kSquare, kMiddle, kExtent, placement, world, strokes);
+  ASSERT_TRUE(strokes[0].range.has_value());
+  for (const Pose& key : strokes[0].keys) {
+    const double start = glm::length(Vec2(key.origin.x, key.origin.z)), end = start - strokes[0].range->high;
+    EXPECT_LT(end, 1);
+    EXPECT_GT(end, 0.9);
+  }
+}
+
 TEST(UncutLines, are_the_parts_where_the_axis_of_the_beam_meets_a_face) {
   const World world = world_with(test::grid(3, 2));  // -1 <= x <= 1
   const auto stroke = [](double from, double middle, double to) {

@@ -334,6 +334,7 @@ class LaserFeature : public Feature {
   void on_document_opened() override {
     workspace_.beam = LaserTool();
     chart_.clear();
+    sparks_.forget(workspace_.view);
     workspace_.links.cut_once = false;
     workspace_.laser.fit(workspace_.world().loaded_bounds().diagonal());
     if (const auto radius = radius_of_entry(head_entry(workspace_.session.scene, kEmitterKey)))
@@ -610,6 +611,11 @@ void BeamSparks::advance(double seconds, const LaserTool& beam, const Document& 
   had_particles_ = !particles_.empty();
   view.look.effects = had_particles_ || !effects->beams.empty() ? std::move(effects) : nullptr;
   view.picture_old = true;
+}
+
+void BeamSparks::forget(ViewState& view) {
+  *this = BeamSparks();
+  view.look.effects = nullptr;
 }
 
 std::optional<std::array<Vec2, 8>> seen_corners(const World::Bounds& bounds, const CameraView& view,

@@ -77,6 +77,8 @@ class BeamSparks {
   // changed since the last call.
   void advance(double seconds, const LaserTool& beam, const Document& document, const WaitingStrokes& waiting,
                bool waiting_changed, ViewState& view);
+  // Removes the particles because the document was replaced.
+  void forget(ViewState& view);
   bool moving() const { return !particles_.empty(); }
 
  private:

@@ -56,6 +56,31 @@ TEST(LaserFeature, esc_stops_a_stroke_while_moves_are_queued) {
   EXPECT_FALSE(laser->cancel());
 }
 
+TEST(LaserFeature, sparks_end_with_their_document) {
+  Workspace workspace;
+  Document& document = workspace.session.document;
+  const auto open = [&] {
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(12, 16, 1))));
+    document = Document(std::move(world));
+  };
+  open();
+  const auto laser = laser_feature(workspace);
+  CutSettings settings;
+  settings.laser.radius = 0.1;
+  settings.resolution.target_edge = 0.05;
+  workspace.beam.fire(document, {{0, 0, 5}, {0, 0, -1}}, 4, settings, 0);
+  while (document.waiting() > 0) ASSERT_TRUE(document.step(8).ok());
+  workspace.beam.find_impact(document);
+  laser->after_queue(0.01);
+  EXPECT_NE(workspace.view.look.effects, nullptr);
+  open();
+  laser->on_document_opened();
+  EXPECT_EQ(workspace.view.look.effects, nullptr);
+  laser->after_queue(0.01);
+  EXPECT_EQ(workspace.view.look.effects, nullptr);
+}
+
 TEST(StraightLine, shift_keeps_the_pointer_on_a_line_of_whole_steps) {
   Random random(7);
   for (int i = 0; i < 100; ++i) {

@@ -88,7 +88,11 @@ std::vector<Command> LaserControls::commands_of(std::span<const StrokePath> stro
     own.power = stroke.power.value_or(power);
     CutSettings cut = own.settings(diagonal);
     if (with_knife) cut.laser.radius = 0;
-    if (stroke.range) cut.laser.range = *stroke.range;
+    cut.laser.range = stroke.range.value_or(cut.laser.range);
+    cut.laser.wavelength = stroke.wavelength.value_or(cut.laser.wavelength);
+    cut.laser.focus = stroke.focus;
+    cut.laser.pulse_rate = stroke.pulse_rate.value_or(cut.laser.pulse_rate);
+    cut.laser.duty = stroke.duty.value_or(cut.laser.duty);
     const std::vector<Command> of_stroke = stroke_commands(stroke, cut);
     commands.insert(commands.end(), of_stroke.begin(), of_stroke.end());
   }

@@ -71,8 +71,8 @@ struct LaserControls {
   }
   // Returns the settings of a cut in a world with this diagonal [m]; the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
-  // Returns the commands that cut along strokes with these controls, of which radius, power and range of a
-  // stroke take precedence; `with_knife`: by a beam of radius 0.
+  // Returns the commands that cut along strokes with these controls, except for the laser settings that a
+  // stroke has itself; `with_knife`: by a beam of radius 0.
   std::vector<Command> commands_of(std::span<const StrokePath> strokes, double diagonal,
                                    bool with_knife) const;
   // Sets the controls to the radius and the resolution of a stroke, within their range.

@@ -43,6 +43,33 @@ TEST(LaserControls, thermal_model_has_power_and_always_deposits_heat) {
   EXPECT_EQ(settings.heat_width, 0);
 }
 
+TEST(LaserControls, leave_a_stroke_the_laser_settings_of_its_file) {
+  LaserControls laser;
+  laser.model = Model::kThermal;
+  StrokePath stroke;
+  stroke.radius = 0.0002;
+  stroke.power = 350;
+  stroke.range = Interval{0, 2};
+  stroke.wavelength = 10.6e-6;
+  stroke.focus = 0.15;
+  stroke.pulse_rate = 500;
+  stroke.duty = 0.4;
+  stroke.keys = {{{0, 1, 0}, {0, -1, 0}}, {{1, 1, 0}, {0, -1, 0}}};
+  stroke.times = {0, 1};
+  const std::vector<Command> commands = laser.commands_of(std::span(&stroke, 1), 5, false);
+  const auto* begin = std::get_if<BeginStroke>(&commands.front());
+  ASSERT_NE(begin, nullptr);
+  const Laser expected = default_settings(stroke, 5).laser;
+  const Laser& cut = begin->settings.laser;
+  EXPECT_EQ(cut.radius, expected.radius);
+  EXPECT_EQ(cut.power, expected.power);
+  EXPECT_EQ(cut.range.high, expected.range.high);
+  EXPECT_EQ(cut.wavelength, expected.wavelength);
+  EXPECT_EQ(cut.focus, expected.focus);
+  EXPECT_EQ(cut.pulse_rate, expected.pulse_rate);
+  EXPECT_EQ(cut.duty, expected.duty);
+}
+
 TEST(LaserControls, show_the_radius_and_the_resolution_of_a_stroke) {
   LaserControls drawn, shown;
   drawn.fit(4);

@@ -572,6 +572,8 @@ bool WaitingStrokes::follow(const Document& document, FileUnit unit, bool held_b
 void WaitingStrokes::draw(const ViewState& view, ImDrawList& list) const {
   const float em = ImGui::GetFontSize();
   std::set<std::string> reasons;
+  const Area& first = view.layout.first;
+  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
   for (size_t i = 0; i < strokes_.size(); ++i) {
     const BeamPicture& beam = strokes_[i].beam;
     const auto at = PrimaryViewport(view).place_of(beam.strike.value_or(beam.to));
@@ -587,6 +589,7 @@ void WaitingStrokes::draw(const ViewState& view, ImDrawList& list) const {
     mark_area(("waiting stroke " + std::to_string(i)).c_str(),
               {{low.x, low.y}, {text.x + 0.8 * em, text.y + 0.4 * em}});
   }
+  list.PopClipRect();
 }
 
 void BeamSparks::advance(double seconds, const LaserTool& beam, const Document& document,

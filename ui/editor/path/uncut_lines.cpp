@@ -87,7 +87,10 @@ void UncutMarks::update(const Workspace& workspace) {
 
 void UncutMarks::draw(Workspace& workspace, ImDrawList& list) const {
   if (lines_.empty() || workspace.cutting()) return;
+  const Area& first = workspace.view.layout.first;
+  list.PushClipRect(to_im(first.at), to_im(first.at + first.size), true);
   draw_uncut(lines_, PrimaryViewport(workspace.view), list);
+  list.PopClipRect();
   workspace.services.badges.draw(workspace.view, Badges::Sign::kMode,
                                  count_text(lines_.size(), "line") + " not cut through", "uncut lines");
 }

@@ -6,6 +6,7 @@
 
 #include "core/document/cut_report.h"
 #include "ui/editor/shared/command_labels.h"
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/render/passes/beam_effects.h"
 #include "ui/window/number_text.h"
 #include "ui/window/theme.h"

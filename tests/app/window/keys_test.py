@@ -153,6 +153,19 @@ class SettingsTest(WindowTest):
         self.assertEqual(self.settings()["palette"], "orange-blue")
         self.assertEqual(self.settings()["autosave_seconds"], 5)
 
+    def test_a_format_with_a_unit_is_asked_about_again(self):
+        self.open(SPHERE).quit()
+        self.set(frames={"stl": {"unit": "cm", "up": "z"}})
+        editor = self.open_again(SPHERE)
+        editor.point_at(0.05, 0.95)
+        editor.do("ctrl", "comma")
+        editor.click("settings page Units", 0.5, 0.5)
+        editor.click("unit of stl", 0.5, 0.5)
+        editor.click("stl as Ask", 0.5, 0.5)
+        editor.do("Escape")
+        editor.quit()
+        self.assertEqual(self.settings()["frames"], {})
+
     def test_a_preset_changes_keys(self):
         editor = self.open(SPHERE)
         editor.point_at(0.05, 0.95)

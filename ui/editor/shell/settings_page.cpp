@@ -201,7 +201,7 @@ void draw_unit(Settings& settings, const std::string& kind) {
     ImGui::EndCombo();
   }
   mark_last_item(("unit of " + kind).c_str());
-  if (choice < 2) return;
+  if (unit_choice(settings, kind) < 2) return;  // the list may have changed it
   FileFrame& frame = *settings.frames[kind];
   for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
     ImGui::SameLine();

@@ -417,6 +417,18 @@ class Files(WindowTest):
         self.assertTrue(os.path.exists(os.path.join(self.folder, "car.kerf")))
         self.assertEqual(self.unsaved(), [])
 
+    def test_a_file_dropped_over_a_dialog_closes_it_before_the_question(self):
+        editor = self.open(SPHERE)
+        editor.drag(ACROSS)
+        editor.do("ctrl", "o")
+        editor.part("browser")
+        editor.drop(os.path.join(ASSETS, "meshes", "plate.obj"))
+        editor.part("question")
+        self.assertNotIn("browser", editor.landmarks()["parts"])
+        editor.press("d")
+        editor.wait_for_title("plate.obj - Kerf")
+        editor.quit()
+
     def test_a_killed_editor_loses_nothing_and_the_next_one_resumes(self):
         editor = self.open(SPHERE)
         editor.drag(ACROSS)

@@ -156,6 +156,25 @@ TEST_F(Actions, the_game_begins_without_a_beam_that_stays_on) {
   EXPECT_EQ(workspace.input.held, nullptr);
 }
 
+TEST_F(Actions, a_file_dialog_is_cancelled_before_the_question_about_unsaved_changes) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(8, 12, 1))));
+  workspace.session.document = Document(std::move(world));
+  workspace.session.document.apply(DeletePiece{{workspace.world().ids().front(), 0}});
+  const auto asks = [this] {
+    return editor.features.front()->handle_event({InputEvent::Kind::kKey, {}, GLFW_KEY_7}, false);
+  };
+  workspace.services.browser.open = true;
+  workspace.links.quit();
+  workspace.changes.process_requests();
+  EXPECT_TRUE(workspace.services.browser.keys.escape);
+  EXPECT_FALSE(asks());
+  workspace.services.browser.open = false;
+  workspace.changes.process_requests();
+  EXPECT_TRUE(asks());
+  EXPECT_EQ(workspace.links.leaves, Leaves::kNot);
+}
+
 TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_reset) {
   ShowOptions& show = workspace.view.look.show;
   run_shortcut(actions, 'V', 0, workspace.message);

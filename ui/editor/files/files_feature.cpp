@@ -293,16 +293,24 @@ class FilesFeature : public Feature {
     workspace_.input.held.reset();
     workspace_.links.leaves = Leaves::kForTheGame;
   }
-  // Calls `then`, which closes the open document, once the document is saved or may be discarded.
+  // Calls `then`, which closes the open document, once the document is saved or may be discarded. First
+  // cancels an open file dialog, because only one of it and the question is shown.
   void leave_for(std::function<void()> then) {
     workspace_.changes.enqueue({.name = "Leave",
                                 .run =
                                     [this, then = std::move(then)] {
                                       if (decisions_.question.open()) return true;
+                                      if (cancel_dialog()) return false;
                                       leave(then, false);
                                       return true;
                                     },
                                 .always = true});
+  }
+  // Returns true if a file dialog is open; it closes when it is drawn.
+  bool cancel_dialog() {
+    if (!workspace_.services.browser.open) return false;
+    browser_key(workspace_.services.browser, GLFW_KEY_ESCAPE);
+    return true;
   }
   void leave(const std::function<void()>& then, bool unprompted) {
     cancel_stroke(workspace_);

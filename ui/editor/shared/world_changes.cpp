@@ -234,7 +234,9 @@ Renderer& WorldChanges::renderer() const {
 
 void WorldChanges::enqueue(Request change) {
   KERF_ASSERT(change.run);
-  std::erase_if(requests_, [&](const Request& a) { return !change.name.empty() && a.name == change.name; });
+  std::erase_if(requests_, [&](const Request& a) {
+    return !a.has_begun && !change.name.empty() && a.name == change.name;
+  });
   requests_.push_back(std::move(change));
 }
 
@@ -259,6 +261,7 @@ void WorldChanges::process_requests() {
     if (!next.always && workspace_.opening.loader.busy()) continue;  // the document is about to be replaced
     if (next.is_one && !group_) group_ = {workspace_.session.document.history().position(), next.name};
     if (!next.run()) {
+      next.has_begun = true;
       requests_.push_front(std::move(next));
       return;
     }

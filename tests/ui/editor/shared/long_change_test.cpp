@@ -6,6 +6,7 @@
 
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
+#include "ui/editor/shared/workspace.h"
 
 namespace kerf::test {
 namespace {
@@ -73,6 +74,24 @@ TEST(ChangeThread, does_not_outlive_its_owner) {
     thread.start(document, waiting.change());
   }
   EXPECT_FALSE(waiting.reported);
+}
+
+TEST(Requests, of_the_same_name_replace_only_those_that_have_not_begun) {
+  Workspace workspace;
+  std::vector<std::string> done;
+  const auto paste = [&](const std::string& what, bool goes_on) {
+    workspace.changes.enqueue({.name = "Paste", .run = [&done, what, goes_on, part = 0]() mutable {
+                                 done.push_back(what + " " + std::to_string(++part));
+                                 return !goes_on || part == 2;
+                               }});
+  };
+  paste("dropped", false);
+  paste("first", true);
+  workspace.changes.process_requests();
+  paste("second", false);
+  workspace.changes.process_requests();
+  EXPECT_EQ(done, (std::vector<std::string>{"first 1", "first 2", "second 1"}));
+  EXPECT_FALSE(workspace.changes.has_requests());
 }
 
 std::vector<Command> stroke_at(double x) {

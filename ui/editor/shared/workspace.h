@@ -32,6 +32,7 @@ struct PointerInput {
   Vec2 pointer{0};                    // screen coordinates
   bool viewport_hovered = false;      // pointer over the viewport, and no panel or menu uses it
   std::unique_ptr<Interaction> held;  // the current interaction; null: no button is held
+  int held_button = 0;                // that began it
   bool asks_for_menu = false;         // the context menu opens in the next frame
 
   bool picks() const { return tool == kPickTool; }

@@ -137,13 +137,15 @@ void handle_mouse(Workspace& workspace, const Features& features, const InputEve
   if (!input.held) workspace.view.in_second = workspace.view.layout.second.contains(event.at);
   switch (event.kind) {
     case InputEvent::Kind::kPress:
-      if (!input.held && input.viewport_hovered) input.held = begin(workspace, features, event);
+      if (input.held || !input.viewport_hovered) break;
+      input.held = begin(workspace, features, event);
+      input.held_button = event.button;
       break;
     case InputEvent::Kind::kMove:
       if (input.held) input.held->move(event);
       break;
     case InputEvent::Kind::kRelease:
-      if (!input.held) break;
+      if (!input.held || event.button != input.held_button) break;
       input.held->release(event);
       if (!input.held->cuts()) input.held.reset();
       break;

@@ -100,6 +100,25 @@ TEST(Mouse, settings_scale_orbit_and_zoom) {
   EXPECT_NEAR(nearer_twice, 2 * nearer, 1e-6);
 }
 
+TEST(Mouse, a_click_of_another_button_does_not_end_a_drag) {
+  MouseBench bench;
+  PointerInput& input = bench.workspace.input;
+  for (const auto& [held, other] : {std::pair(GLFW_MOUSE_BUTTON_MIDDLE, GLFW_MOUSE_BUTTON_LEFT),
+                                    std::pair(GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_LEFT)}) {
+    bench.handle({EventKind::kPress, {400, 300}, held});
+    bench.handle({EventKind::kPress, {400, 300}, other});
+    bench.handle({EventKind::kRelease, {400, 300}, other});
+    EXPECT_NE(input.held, nullptr);
+    EXPECT_FALSE(input.asks_for_menu);
+    const Vec3 eye = bench.workspace.view.seen().eye;
+    bench.handle({EventKind::kMove, {430, 300}});
+    bench.workspace.view.camera.finish();
+    EXPECT_NE(bench.workspace.view.seen().eye, eye);
+    bench.handle({EventKind::kRelease, {430, 300}, held});
+    EXPECT_EQ(input.held, nullptr);
+  }
+}
+
 TEST(Mouse, a_press_with_another_tool_cuts_nothing) {
   MouseBench bench;
   bench.workspace.input.tool = kPickTool;

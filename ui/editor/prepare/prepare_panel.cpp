@@ -241,20 +241,24 @@ Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, con
     const double share = static_cast<double>(row.faces) / static_cast<double>(faces.before);
     shares.insert(shares.end(), own.size(), share / static_cast<double>(own.size()));
   }
-  const size_t from = document.history().position();
-  Outcome all;
+  Outcome all = document.run_whole({});  // executes the queue
+  if (!all.ok()) return all;
+  Outcome undone(all.delta);
   ProgressShares progress_shares(progress);
-  for (size_t i = 0; i < commands.size() && all.ok(); ++i) {
-    const Progress own = progress_shares.next(shares[i]);
-    Outcome one = document.apply(commands[i], progress ? &own : nullptr);
-    for (Command& command : commands) rename(command, one.delta);
-    all.append(std::move(one));
-  }
-  if (all.ok()) return all;
-  Outcome undone(std::move(all.delta));
-  undone.append(document.travel(from));
-  const bool stopped = all.error().message == cancelled().message;
-  undone.fail(stopped ? failed("Stopped; nothing was changed.") : all.error());
+  for (Command& command : commands) rename(command, all.delta);
+  const Status done = document.all_or_nothing([&]() -> Status {
+    for (size_t i = 0; i < commands.size() && all.ok(); ++i) {
+      const Progress own = progress_shares.next(shares[i]);
+      Outcome one = document.apply(commands[i], progress ? &own : nullptr);
+      for (Command& command : commands) rename(command, one.delta);
+      all.append(std::move(one));
+    }
+    return all.ok() ? Status(Done{}) : Status(all.error());
+  });
+  if (done) return all;
+  const Error why = all.ok() ? done.error() : all.error();
+  undone.delta.replaced = true;
+  undone.fail(why.message == cancelled().message ? failed("Stopped; nothing was changed.") : why);
   return undone;
 }
 

@@ -51,7 +51,8 @@ const char* preparation_title(Preparation::Tool tool);
 const char* prepare_disabled_reason(std::span<const PieceRow> pieces, const Preparation& preparation);
 
 // Applies the commands of a preparation to the pieces in turn; a target number of faces is shared among
-// them. If one fails or is stopped, all previous ones are undone. `progress` may be null. Precondition:
+// them. If one fails or is stopped, all previous ones are undone and leave no entry in the history.
+// `progress` may be null; it does not stop the queue, which is executed first. Precondition:
 // prepare_disabled_reason() returns null.
 Outcome prepare_pieces(Document& document, std::span<const PieceRow> pieces, const Preparation& preparation,
                        const Progress* progress);

@@ -83,6 +83,8 @@ TEST(PreparePieces, are_unchanged_when_cancelled) {
     EXPECT_EQ(outcome.error().message, "Stopped; nothing was changed.");
     EXPECT_EQ(state_hash(document.world()), state_hash(world));
     EXPECT_EQ(document.world().ids(), world.ids());
+    EXPECT_EQ(document.history().size(), 0u) << "nothing to redo";
+    EXPECT_TRUE(document.journal().empty());
   }
 }
 

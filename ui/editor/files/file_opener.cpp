@@ -211,7 +211,7 @@ void draw_sizes(const Vec3& size, FileUnit unit) {
   ImGui::TextDisabled("In %s it would be %s", plural(other), extents_label(size, other).c_str());
 }
 
-void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
+void draw_rows(const Vec3& size, DocumentSession& session, ViewState& view, Settings& settings) {
   const std::string kind = view.frame_asked_for;
   const float em = ImGui::GetFontSize();
   FileFrame frame = view.frame;
@@ -228,7 +228,7 @@ void draw_rows(const Vec3& size, ViewState& view, Settings& settings) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(4.5f * em);
   changed = unit_combo(frame.unit) || changed;
-  if (changed) show_in_frame(view, frame);
+  if (changed) change_frame(frame, session, view);
   draw_sizes(size, view.frame.unit);
   if (ImGui::Button(("Use for all ." + kind + " files").c_str())) {
     settings.frames[kind] = view.frame;
@@ -681,14 +681,15 @@ void FileOpener::take(Result<LoadedFiles> loaded, LoadRequest order) {
   }
 }
 
-void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once) {
+void draw_frame_question(const Vec3& size, DocumentSession& session, ViewState& view, Settings& settings,
+                         bool cut_once) {
   if (cut_once) view.frame_asked_for.clear();
   if (view.frame_asked_for.empty() || view.layout.split()) return;
   const Area& area = view.layout.viewport;
   ImGui::SetNextWindowSizeConstraints({0, 0}, to_im(area.size));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 3);
   if (ImGui::Begin("##frame", nullptr, kBar)) {
-    draw_rows(size, view, settings);
+    draw_rows(size, session, view, settings);
     place_next_to_axes(area);
   }
   mark_window("frame question");

@@ -208,6 +208,7 @@ class FileOpener {
 // axes gizmo. Preselects the guess, and shows the size of the world (`size`, in file units) in that unit and
 // in the one most often confused with it. Not modal: the question disappears when a stroke begins
 // (`cut_once`), and is asked only once per kind of file.
-void draw_frame_question(const Vec3& size, ViewState& view, Settings& settings, bool cut_once);
+void draw_frame_question(const Vec3& size, DocumentSession& session, ViewState& view, Settings& settings,
+                         bool cut_once);
 
 }  // namespace kerf

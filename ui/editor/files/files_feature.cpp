@@ -166,7 +166,7 @@ class FilesFeature : public Feature {
 
   void draw_windows() override {
     const World::Bounds bounds = workspace_.world().loaded_bounds();
-    draw_frame_question(bounds.max - bounds.min, workspace_.view, workspace_.settings,
+    draw_frame_question(bounds.max - bounds.min, workspace_.session, workspace_.view, workspace_.settings,
                         workspace_.links.cut_once);
     offer_reload();
     const FileLoader& loader = workspace_.opening.loader;

@@ -153,7 +153,7 @@ struct DocumentSession {
   std::filesystem::path file;  // the journal that Save writes; empty: none yet
   std::vector<StateMark> marks;
   size_t saved_commands = 0;        // number of journal commands saved; kNothing: not even the opened state
-  std::vector<Light> saved_lights;  // in the file
+  std::vector<Light> saved_lights;  // in the file, turned to the shown frame
   std::string saved_head = "{}";    // SceneDescription::others in the file
 
   static constexpr size_t kNothing = static_cast<size_t>(-1);

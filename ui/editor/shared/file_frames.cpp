@@ -21,6 +21,10 @@ constexpr const char* kKey = "shown";  // in a scene: {"unit": "mm", "up": "z"}
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+void turn_lights(std::vector<Light>& lights, UpAxis from, UpAxis to) {
+  for (Light& light : lights) light.at = from_y_up(to_y_up(light.at, from), to);
+}
+
 constexpr size_t kMaxNames = 2;
 
 // Returns the names of the cut bodies, by descending removal.
@@ -71,11 +75,15 @@ void record_frame(SceneDescription& scene, const FileFrame& frame) {
 }
 
 void show_in_frame(ViewState& view, const FileFrame& frame) {
-  for (Light& light : view.look.lights)
-    light.at = from_y_up(to_y_up(light.at, view.camera.up_axis()), frame.up);
+  turn_lights(view.look.lights, view.camera.up_axis(), frame.up);
   view.camera.set_up_axis(frame.up);
   view.frame = frame;
   view.picture_old = true;
+}
+
+void change_frame(const FileFrame& frame, DocumentSession& session, ViewState& view) {
+  turn_lights(session.saved_lights, view.camera.up_axis(), frame.up);
+  show_in_frame(view, frame);
 }
 
 void set_frame(const FileFrame& frame, DocumentSession& session, ViewState& view, Settings& settings) {
@@ -83,7 +91,7 @@ void set_frame(const FileFrame& frame, DocumentSession& session, ViewState& view
   const bool is_mesh_file = session.file.empty() && !kind.empty() && session.files.size() == 1 &&
                             mesh_format(session.files.front().extension().string()).has_value();
   if (frame != view.frame && !is_mesh_file) set_head_entry(session.scene, kKey, frame_to_json(frame));
-  show_in_frame(view, frame);
+  change_frame(frame, session, view);
   view.frame_asked_for.clear();
   if (!kind.empty()) settings.frames[kind] = frame;
 }

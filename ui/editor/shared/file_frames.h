@@ -37,6 +37,9 @@ void record_frame(SceneDescription& scene, const FileFrame& frame);
 // Shows the world in this frame. The lights turn with the ground, and the camera keeps its direction to it.
 void show_in_frame(ViewState& view, const FileFrame& frame);
 
+// Shows the open document in another frame. Lights that turn with the ground are no unsaved change.
+void change_frame(const FileFrame& frame, DocumentSession& session, ViewState& view);
+
 // Shows the world in the user's frame, remembers it for mesh files of this format, and ends the question.
 // Another frame is an unsaved change of the document, unless that is an opened mesh file without a journal.
 void set_frame(const FileFrame& frame, DocumentSession& session, ViewState& view, Settings& settings);

@@ -100,6 +100,8 @@ TEST_F(SaveWork, a_saved_document_reopens_with_its_lights_and_view) {
 }
 
 TEST_F(SaveWork, another_unit_of_a_saved_document_is_unsaved_and_reopens) {
+  set_frame({FileUnit::kMillimetre, UpAxis::kZ}, session_, view_, settings_);
+  EXPECT_FALSE(unsaved()) << "the lights only turn with the ground";
   set_frame({FileUnit::kMillimetre, UpAxis::kY}, session_, view_, settings_);
   EXPECT_FALSE(unsaved()) << "the settings keep it for meshes of this format";
   ASSERT_TRUE(save(folder_ / "mine.kerf"));

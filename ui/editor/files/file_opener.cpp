@@ -327,9 +327,9 @@ bool save_work(DocumentSession& session, const ViewState& view, fs::path file, S
 void Recovery::begin(const DocumentSession& session, const ViewState& view) {
   lights_ = view.look.lights;
   head_ = session.scene.others;
+  frame_ = view.frame;
   autosave_.begin(scene_now(session, view), session.file, session.files);
-  written_at_.reset();
-  flushed_at_.reset();
+  written_at_ = flushed_at_ = std::nullopt;
 }
 
 bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mouse_moves, const Time& time,
@@ -345,7 +345,7 @@ bool Recovery::follow(DocumentSession& session, const ViewState& view, bool mous
                             : tried_at_ + kBetweenTries;
   if (!autosave_.flush()) flushed_at_ = written_at_;
   if (time.seconds < from) return well_;
-  const bool changed = view.look.lights != lights_ || session.scene.others != head_;
+  const bool changed = view.look.lights != lights_ || session.scene.others != head_ || view.frame != frame_;
   if (!mouse_moves && changed) begin(session, view);
   const bool writes = autosave_.is_behind(session.document, session.marks);
   const Status kept = autosave_.follow(session.document, session.marks);

@@ -69,6 +69,7 @@ class Recovery {
   Autosave autosave_;
   std::vector<Light> lights_;  // as stored
   std::string head_;           // SceneDescription::others as stored
+  FileFrame frame_;            // likewise
   bool well_ = true;           // the last attempt succeeded
   double tried_at_ = 0;        // s of the clock, of the last attempt
   std::optional<double> written_at_, flushed_at_;

@@ -198,6 +198,23 @@ TEST_F(SaveWork, recovered_work_is_named_after_the_opened_file_and_counts_all_cu
       << decisions_.question.text;
 }
 
+TEST_F(SaveWork, recovered_work_has_the_unit_that_was_set_last) {
+  const test::EnvironmentVariable state("XDG_STATE_HOME", folder_.path().c_str());
+  ASSERT_TRUE(record_hashes(session_.scene).ok());
+  {
+    Recovery recovery;
+    recovery.begin(session_, view_);
+    set_frame({FileUnit::kInch, UpAxis::kY}, session_, view_, settings_);
+    cut();
+    EXPECT_TRUE(recovery.follow(session_, view_, false, {}, message_));
+  }
+  std::vector<std::string> faults;
+  left_work_ = find_recoverable_documents(state_folder(), faults);
+  ASSERT_EQ(left_work_.size(), 1u);
+  const World::Bounds bounds = session_.world().loaded_bounds();
+  EXPECT_EQ(select_frame(left_work_[0].journal.scene, false, bounds, settings_).frame.unit, FileUnit::kInch);
+}
+
 TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {
   cut();
   ASSERT_TRUE(record_hashes(session_.scene).ok());

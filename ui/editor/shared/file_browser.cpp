@@ -74,8 +74,10 @@ void enter_folder(FileBrowser& b, const fs::path& folder) {
   if (opens(b)) set_name(b, "");
 }
 
+// Returns true if the typed text is a path from the home folder; names may begin with a tilde, too.
+bool is_from_home(const std::string& text) { return text == "~" || text.starts_with("~/"); }
 // Returns true if the typed text is a path from the root or from the home folder.
-bool is_absolute(const std::string& text) { return text.starts_with('/') || text.starts_with('~'); }
+bool is_absolute(const std::string& text) { return text.starts_with('/') || is_from_home(text); }
 
 std::vector<size_t> left_by_filter(const FileBrowser& b) {
   std::string filter = opens(b) ? b.name.data() : "";
@@ -93,7 +95,7 @@ std::optional<fs::path> typed_path(const FileBrowser& b) {
   if (text.empty()) return std::nullopt;
   if (text.front() == '/') return text;
   const fs::path home = home_folder();
-  if (text.front() == '~' && !home.empty()) return home.string() + text.substr(1);
+  if (is_from_home(text) && !home.empty()) return home.string() + text.substr(1);
   if (!opens(b) || text.find('/') == std::string::npos) return std::nullopt;
   const fs::path relative = (b.folder / text).lexically_normal();
   return relative.has_filename() ? relative : relative.parent_path();

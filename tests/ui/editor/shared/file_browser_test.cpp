@@ -1,8 +1,12 @@
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/editor/shared/file_browser.h"
 
 namespace kerf {
@@ -47,6 +51,59 @@ TEST(FileBrowser, lists_files_by_kind_and_creates_folders_with_free_names) {
   EXPECT_EQ(make_new_folder(folder)->filename(), "New Folder 2");
   EXPECT_FALSE(make_new_folder(folder / "missing"));
   std::filesystem::remove_all(folder);
+}
+
+// The dialog that saves to a folder.
+class SaveDialog : public testing::Test {
+ protected:
+  SaveDialog() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {1000, 700};
+    io.Fonts->Build();
+  }
+  ~SaveDialog() override { ImGui::DestroyContext(); }
+
+  void draw(int frames = 2) {
+    for (int frame = 0; frame < frames; ++frame) {
+      ImGui::NewFrame();
+      draw_file_browser(browser);
+      ImGui::Render();
+    }
+  }
+  void open(const std::string& name) {
+    browse(browser,
+           {.title = "Save",
+            .verb = "Save",
+            .hint = "",
+            .endings = {".kerf", ".json"},
+            .take =
+                [this](const fs::path& file) {
+                  taken = file;
+                  return std::string();
+                }},
+           folder.path(), name);
+    draw();
+  }
+  void enter() {
+    browser_key(browser, GLFW_KEY_ENTER);
+    draw();
+  }
+
+  const test::TemporaryFolder folder;
+  FileBrowser browser;
+  fs::path taken;
+};
+
+TEST_F(SaveDialog, only_a_tilde_before_a_slash_is_the_home_folder) {
+  const test::EnvironmentVariable home("HOME", "/no/such/home");
+  open("~draft");
+  enter();
+  EXPECT_EQ(taken, browser.folder / "~draft.kerf");
+  open("~/draft");
+  enter();
+  EXPECT_EQ(taken, "/no/such/home/draft.kerf");
 }
 
 }  // namespace

@@ -61,6 +61,12 @@ bool is_listed(const FileBrowser& b, const FileBrowser::Entry& entry) {
 
 void set_name(FileBrowser& b, const std::string& text) { fill_field(b.name, text); }
 
+// Withdraws the question about files to be replaced, or the error of the last attempt.
+void drop_fault(FileBrowser& b) {
+  b.replace.clear();
+  b.fault.clear();
+}
+
 void enter_folder(FileBrowser& b, const fs::path& folder) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(folder, error);
@@ -248,7 +254,10 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   if (!clicked) return;
   b.cursor = place;
   b.is_selected = true;
-  if (!opens(b) && !entry.folder) set_name(b, entry.name);
+  if (!opens(b) && !entry.folder) {
+    set_name(b, entry.name);
+    drop_fault(b);
+  }
   if (!twice) return;
   const FileBrowser::Entry selected = entry;
   gone = true;
@@ -319,8 +328,7 @@ void draw_name(FileBrowser& b) {
                                ImGuiInputTextFlags_AutoSelectAll)) {
     b.cursor = 0;
     b.is_selected = b.name.front() != '\0';
-    b.replace.clear();
-    b.fault.clear();
+    drop_fault(b);
     follow_typed_path(b);
   }
   const FileBrowser::Keys keys = std::exchange(b.keys, {});
@@ -348,12 +356,11 @@ void draw_export(FileBrowser& b) {
     fs::path stem = name;
     if (mesh_format(name.extension().string())) stem.replace_extension();
     set_name(b, with_ending(stem, b).string());
-    b.replace.clear();
-    b.fault.clear();
+    drop_fault(b);
     b.take_focus = true;
   }
   if (b.request.several && holds_several_meshes(b.format)) {
-    if (ImGui::Checkbox("Single File", &b.single_file)) b.replace.clear();
+    if (ImGui::Checkbox("Single File", &b.single_file)) drop_fault(b);
     mark_last_item("single file");
     tooltip("Write all selected pieces to one file, each as a node or an object with its name.");
   }
@@ -377,7 +384,7 @@ void draw_types(FileBrowser& b) {
     const std::string type = type_name(ending, b.request.endings.size() == 1);
     if (ImGui::RadioButton(type.c_str(), name.extension() == ending) && b.name.front() != '\0') {
       set_name(b, fs::path(name).replace_extension(ending).string());
-      b.replace.clear();
+      drop_fault(b);
     }
     mark_last_item(("type " + ending).c_str());
   }

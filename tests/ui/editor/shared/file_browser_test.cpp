@@ -8,6 +8,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/editor/shared/file_browser.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 namespace {
@@ -62,6 +63,7 @@ class SaveDialog : public testing::Test {
     io.IniFilename = nullptr;
     io.DisplaySize = {1000, 700};
     io.Fonts->Build();
+    keep_landmarks(&landmarks);
   }
   ~SaveDialog() override { ImGui::DestroyContext(); }
 
@@ -91,7 +93,18 @@ class SaveDialog : public testing::Test {
     draw();
   }
 
+  void click(const std::string& part) {
+    const Area area = landmarks.find(part).value();
+    const Vec2 middle = area.at + 0.5 * area.size;
+    ImGui::GetIO().MousePos = {static_cast<float>(middle.x), static_cast<float>(middle.y)};
+    for (const bool down : {false, true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      draw();
+    }
+  }
+
   const test::TemporaryFolder folder;
+  Landmarks landmarks{std::nullopt};
   FileBrowser browser;
   fs::path taken;
 };
@@ -104,6 +117,22 @@ TEST_F(SaveDialog, only_a_tilde_before_a_slash_is_the_home_folder) {
   open("~/draft");
   enter();
   EXPECT_EQ(taken, "/no/such/home/draft.kerf");
+}
+
+TEST_F(SaveDialog, another_name_ends_the_question_about_an_existing_file) {
+  for (const char* name : {"mine.kerf", "other.kerf"}) std::ofstream(folder / name);
+  for (const char* part : {"type .json", "entry other.kerf"}) {
+    open("mine");
+    enter();
+    EXPECT_FALSE(browser.replace.empty());
+    EXPECT_NE(browser.fault, "");
+    click(part);
+    EXPECT_TRUE(browser.replace.empty());
+    EXPECT_EQ(browser.fault, "");
+    browser_key(browser, GLFW_KEY_ESCAPE);
+    draw(3);
+  }
+  EXPECT_EQ(taken, fs::path());
 }
 
 }  // namespace

@@ -291,6 +291,7 @@ void WorldChanges::forget() {
   groups_.restore(workspace_.session.document, workspace_.session.marks);
   group_.reset();
   pending_.reset();
+  pending_message_.clear();
   std::erase_if(requests_, [](const Request& a) { return !a.always; });
 }
 
@@ -454,6 +455,7 @@ void WorldChanges::follow_released(const Delta& delta) {
 }
 
 void WorldChanges::show_failed_step(const Error& error) {
+  pending_message_.clear();  // it would state a success
   cancel_stroke(workspace_);
   renderer().resend(workspace_.world());
   workspace_.message.error(error.message);

@@ -32,6 +32,7 @@ class Games {
       screen_.resume_from_game(screen_.look(), {});
       return screen_.report_error(begun.error().message);
     }
+    game_->set_look(screen_.look());  // the settings may have changed since it was left
     game_->play(loop_);
     const GuiLook look = game_->look();
     if (!game_->wants_inspection()) {

@@ -43,6 +43,8 @@ class WindowedGame {
   // Returns true if the user closed the window.
   bool wants_close() const;
   GuiLook look() const;
+  // Replaces the look of a game that is not running.
+  void set_look(const GuiLook& look);
   const Match& match() const;
   View view() const;
   // The controls of every tick since the match began.

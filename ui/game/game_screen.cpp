@@ -647,6 +647,7 @@ void WindowedGame::play(FrameLoop& loop) {
 bool WindowedGame::wants_inspection() const { return screen_->leave() == GameScreen::Leave::kInspect; }
 bool WindowedGame::wants_close() const { return screen_->leave() == GameScreen::Leave::kClose; }
 GuiLook WindowedGame::look() const { return screen_->look(); }
+void WindowedGame::set_look(const GuiLook& look) { screen_->set_look(look); }
 const Match& WindowedGame::match() const { return screen_->match(); }
 View WindowedGame::view() const { return screen_->view(); }
 

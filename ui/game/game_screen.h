@@ -41,6 +41,7 @@ class GameScreen : public Screen {
   const std::vector<double>& frame_seconds() const { return frame_seconds_; }
 
   GuiLook look() const override { return options_.look; }
+  void set_look(const GuiLook& look) { options_.look = look; }
   void handle_input(const Input& input) override;
   void advance() override;
   void draw() override;

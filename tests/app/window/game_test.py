@@ -218,12 +218,17 @@ class Game(WindowTest):
         self.open_menu(editor)
         editor.click("inspect", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")
+        editor.press("ctrl", "comma")
+        editor.type("palette")
+        for key in ("Down", "Right", "Escape", "Escape"):
+            editor.press(key)
         editor.press("F5")
         editor.wait_for(lambda: "resume" in editor.landmarks()["parts"], "the match is not gone on with")
         editor.pause(1.5)
         editor.click("leave", 0.5, 0.5)
         editor.wait_for_title("scene.json - Kerf")
         self.assertGreater(editor.quit()["bodies"], 5)
+        self.assertEqual(self.settings()["palette"], "orange-blue")
 
 
 if __name__ == "__main__":

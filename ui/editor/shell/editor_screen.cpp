@@ -456,8 +456,8 @@ void EditorScreen::draw_panels() {
   for (const auto& feature : features_) feature->draw_overlay(list);
   if (workspace_.input.held) workspace_.input.held->draw(list);
   list.PopClipRect();
-  draw_panel_areas(layout, catalogue_.panels, workspace_.services.panels, workspace_.settings);
-  draw_splitters(layout, workspace_.settings);
+  draw_panel_areas(workspace_.view, catalogue_.panels, workspace_.services.panels, workspace_.settings);
+  draw_splitters(workspace_.view, workspace_.settings);
   if (workspace_.settings.toolbar_shown) draw_toolbar(layout.viewport, catalogue_.actions);
   const char* hint = workspace_.input.held ? workspace_.input.held->words() : nullptr;
   for (size_t i = 0; hint == nullptr && i < features_.size(); ++i) hint = features_[i]->status_hint();

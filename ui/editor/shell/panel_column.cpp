@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ui/editor/shared/panel_rows.h"
 #include "ui/window/icons.h"
 #include "ui/window/theme.h"
 #include "ui/window/widgets.h"
@@ -53,12 +54,12 @@ constexpr std::array kTabs{
     TabLook{Tab::kMesh, "mesh", "Mesh", "Subdivision, simplification and file contents.", "Alt+5",
             Icon::kMesh}};
 
-void draw_tab(const TabLook& look, ImVec2 size, PanelPlaces& places) {
+void draw_tab(const TabLook& look, ImVec2 size, const ViewState& view, PanelPlaces& places) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton(look.id, size)) places.show_tab(look.tab);
   mark_last_item((std::string("tab ") + look.id).c_str());
   const bool over = ImGui::IsItemHovered(), selected = places.tab() == look.tab;
-  tooltip((std::string(look.tip) + " " + look.shortcut).c_str());
+  tooltip(with_shortcut(view, look.tip, std::string("tab.") + look.id).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize(), middle = std::round(at.x + 0.5f * size.x);
   const ImU32 colour = selected ? colours::accent() : over ? colours::text() : colours::secondary();
@@ -126,12 +127,13 @@ bool begin_area(const char* name, const Area& area, ImGuiWindowFlags flags = 0) 
 // An area filled by its contents.
 constexpr ImGuiWindowFlags kFilled = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
-void draw_column(const Area& area, std::span<const Panel> panels, PanelPlaces& places) {
+void draw_column(const ViewState& view, std::span<const Panel> panels, PanelPlaces& places) {
+  const Area& area = view.layout.side;
   if (area.size.x <= 0) return;
   const float tabs = tab_bar_height();
   const Area bar{area.at, {area.size.x, tabs}};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  if (begin_area("##tabs", bar, kFilled)) draw_tab_bar(places);
+  if (begin_area("##tabs", bar, kFilled)) draw_tab_bar(view, places);
   ImGui::End();
   ImGui::PopStyleVar();
   if (begin_area("##side", {area.at + Vec2(0, tabs), {area.size.x, std::max(1.0, area.size.y - tabs)}})) {
@@ -240,14 +242,14 @@ void draw_dock_button(const char* panel, float right, PanelPlaces& places) {
 
 float tab_bar_height() { return std::round(2.75f * ImGui::GetFontSize()); }
 
-void draw_tab_bar(PanelPlaces& places) {
+void draw_tab_bar(const ViewState& view, PanelPlaces& places) {
   const ImVec2 all = ImGui::GetWindowSize(), at = ImGui::GetWindowPos();
   for (size_t i = 0; i < kTabs.size(); ++i) {
     const auto edge = [&](size_t k) {
       return std::round(at.x + all.x * static_cast<float>(k) / static_cast<float>(kTabs.size()));
     };
     ImGui::SetCursorScreenPos({edge(i), at.y});
-    draw_tab(kTabs.at(i), {edge(i + 1) - edge(i), all.y}, places);
+    draw_tab(kTabs.at(i), {edge(i + 1) - edge(i), all.y}, view, places);
   }
 }
 
@@ -264,9 +266,10 @@ std::vector<UserAction> tab_actions(PanelPlaces& places) {
   return actions;
 }
 
-void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, PanelPlaces& places,
+void draw_panel_areas(const ViewState& view, std::span<const Panel> panels, PanelPlaces& places,
                       Settings& settings) {
-  draw_column(layout.side, panels, places);
+  const Layout& layout = view.layout;
+  draw_column(view, panels, places);
   draw_second_column(layout.second_side, panels, places);
   draw_strip(layout.strip, panels, places);
   for (const Panel& panel : panels) {
@@ -296,10 +299,13 @@ PanelSizes panel_sizes(const PanelPlaces& places, const Settings& settings) {
           .strip = places.has_any(Dock::kStrip) ? settings.strip_ems : 0};
 }
 
-void draw_splitters(const Layout& l, Settings& settings) {
+void draw_splitters(const ViewState& view, Settings& settings) {
+  const Layout& l = view.layout;
   if (l.side.size.x > 0) {
-    const auto to = splitter("##sides", l.side.at, l.side.size.y,
-                             "Drag to resize the panels; double-click to reset their width; F4 hides them.");
+    const std::string key = shortcut_of(view, "view.sidebar");
+    const std::string tip = "Drag to resize the panels; double-click to reset their width" +
+                            (key.empty() ? "." : "; " + key + " hides them.");
+    const auto to = splitter("##sides", l.side.at, l.side.size.y, tip.c_str());
     drag_edge(to, &Settings::side_ems, l.status.size.x - to.dragged.value_or(0), Settings::kMinSide,
               Settings::kMaxSide, settings);
   }

@@ -5,6 +5,7 @@
 
 #include "ui/editor/shared/settings.h"
 #include "ui/editor/shared/user_input.h"
+#include "ui/editor/shared/viewport.h"
 #include "ui/editor/shell/catalogue.h"
 #include "ui/window/layout.h"
 
@@ -20,7 +21,7 @@ float tab_bar_height();
 
 // Draws the tabs of the sidebar side by side over the current window, each an icon over a word. A click
 // brings a tab to the front.
-void draw_tab_bar(PanelPlaces& places);
+void draw_tab_bar(const ViewState& view, PanelPlaces& places);
 
 // Returns one action per tab, which brings it to the front. The places must outlive them.
 std::vector<UserAction> tab_actions(PanelPlaces& places);
@@ -28,7 +29,7 @@ std::vector<UserAction> tab_actions(PanelPlaces& places);
 // Draws the panels in their places: the sidebar under the selected tab, the second column, the strip, and
 // floating windows. `panels` is in display order; changes by the user are stored in the places and the
 // settings.
-void draw_panel_areas(const Layout& layout, std::span<const Panel> panels, PanelPlaces& places,
+void draw_panel_areas(const ViewState& view, std::span<const Panel> panels, PanelPlaces& places,
                       Settings& settings);
 
 // Returns one action per panel, which shows or folds it. The places must outlive them.
@@ -38,6 +39,6 @@ std::vector<UserAction> panel_actions(std::span<const Panel> panels, PanelPlaces
 PanelSizes panel_sizes(const PanelPlaces& places, const Settings& settings);
 
 // Draws the edges of the areas of panels and the middle of a split view, which the user can drag.
-void draw_splitters(const Layout& layout, Settings& settings);
+void draw_splitters(const ViewState& view, Settings& settings);
 
 }  // namespace kerf

@@ -76,6 +76,11 @@ class Panels(WindowTest):
         editor.press("Return")
         editor.click("welcome Bracket", 0.3, 0.5)
         editor.wait_for_title("bracket.json - Kerf")
+        editor.press("ctrl", "p")
+        editor.type("welcome")
+        editor.press("Return")
+        editor.click("welcome car", 0.5, 0.5)
+        editor.wait_for_title("car.json - Kerf")
         editor.quit()
 
     def select(self, editor, combo, index):

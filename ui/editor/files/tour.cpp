@@ -323,6 +323,7 @@ class WelcomeFeature : public Feature {
   }
 
   Status on_start(const EditorOptions& options) override {
+    car_ = options.default_scene;
     shown_ = options.files.empty() && !options.events && !workspace_.settings.welcomed;
     workspace_.settings.welcomed = workspace_.settings.welcomed || shown_;
     return Done{};
@@ -356,6 +357,10 @@ class WelcomeFeature : public Feature {
     shown_ = false;
     tour_.begin(first_five_minutes(workspace_.view), tour_moment(workspace_));
   }
+  void open_car() {
+    shown_ = false;
+    if (workspace_.session.files != std::vector{car_}) workspace_.links.open({car_});
+  }
   // At the left, where it hides least of the scene in the middle.
   void draw_welcome() {
     const float em = ImGui::GetFontSize();
@@ -373,7 +378,7 @@ class WelcomeFeature : public Feature {
       ImGui::Spacing();
       if (ImGui::Button("Guided Tour", {-1, 0})) begin_tour();
       mark_last_item("welcome tour");
-      if (ImGui::Button("Cut the Car", {-1, 0})) shown_ = false;
+      if (ImGui::Button("Cut the Car", {-1, 0})) open_car();
       mark_last_item("welcome car");
       draw_recent();
       draw_scenes();
@@ -435,6 +440,7 @@ class WelcomeFeature : public Feature {
   }
 
   Workspace& workspace_;
+  fs::path car_;  // the default scene
   bool shown_ = false;
   Tour tour_;
 };

@@ -107,6 +107,12 @@ Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, Load
 // Reads files on a background thread into a separate world.
 class FileLoader {
  public:
+  FileLoader() = default;
+  FileLoader(const FileLoader&) = delete;
+  FileLoader& operator=(const FileLoader&) = delete;
+  // Cancels the current job, and waits for the threads to end.
+  ~FileLoader() { cancel(); }
+
   // Cancels the current job and starts to read files. `watched`: take_partial_replay() will be called.
   void start(LoadRequest order, bool watched = false);
   // Cancels the current job; its thread ends at its next report of progress.

@@ -118,7 +118,7 @@ class WorldChanges {
   // A change requested by a menu, key or panel. Executed between two frames, in order.
   struct Request {
     std::string name;           // replaces a queued request of the same name that has not begun
-    std::function<bool()> run;  // returns false to be called again in the next frame without a pending change
+    std::function<bool()> run;  // returns false if it goes on in the next frame without a pending change
     bool is_one = false;        // undone as one step, under this name
     bool always = false;        // kept while a file is being opened; others are dropped
     bool has_begun = false;     // set when `run` returns false

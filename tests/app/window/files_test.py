@@ -235,6 +235,22 @@ class Files(WindowTest):
         for new, old in zip(editor.quit()["view"]["eye"], before):
             self.assertAlmostEqual(new, old, places=3)
 
+    def test_a_reloaded_file_has_a_new_thumbnail(self):
+        part, scene = self.scene_of_plate()
+        editor = self.open(scene)
+        pictures = os.path.join(self.folder, "kerf", "thumbnails")
+        editor.pixels()
+        thumbnail, = os.listdir(pictures)
+        plate = png_size_and_bytes(os.path.join(pictures, thumbnail))
+        editor.pause(3)
+        shutil.copy(os.path.join(ASSETS, "meshes", "bracket.obj"), part)
+        editor.pause(3)
+        editor.click("reload files", 0.5, 0.5)
+        editor.pause(3)
+        editor.pixels()
+        self.assertNotEqual(png_size_and_bytes(os.path.join(pictures, thumbnail)), plate)
+        editor.quit()
+
     def test_saving_reports_a_mesh_that_another_program_has_changed(self):
         part, scene = self.scene_of_plate()
         editor = self.open(scene)

@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/json.h"
+#include "ui/editor/files/file_opener.h"
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/settings.h"
@@ -89,6 +90,8 @@ class RecentFeature : public Feature {
     workspace_.services.thumbnails.keep_only(recent_);
   }
 
+  // A file that is opened again may have changed.
+  void on_document_opened() override { wanted_ = taken_ = {}; }
   void on_captured(Captured what) override {
     if (what == Captured::kPicture && is_due()) take();
   }
@@ -146,6 +149,7 @@ UserAction RecentFeature::pin_action() {
 bool RecentFeature::is_due() {
   const KeptState now{file_shown(workspace_.session), workspace_.session.saved_commands};
   if (now == taken_ || now.file.empty()) return false;
+  if (is_unsaved(workspace_.session, workspace_.view.look.lights)) return false;
   if (now != wanted_) {
     wanted_ = now;
     wanted_at_ = workspace_.screen.clock->seconds();

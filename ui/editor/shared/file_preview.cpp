@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/base/assert.h"
+#include "core/document/job_files.h"
 #include "core/document/journal.h"
 #include "core/document/scene.h"
 #include "core/mesh/mesh_file.h"
@@ -271,6 +272,21 @@ FilePreview preview_of_journal(const PreviewRequest& request) {
   return preview;
 }
 
+FilePreview preview_of_job(const fs::path& file, JobFile::Kind kind) {
+  constexpr double kTolerance = 1e-3;  // m, of curves, which are only counted
+  FilePreview preview;
+  const Result<JobFile> job = read_job(file, kind, kTolerance);
+  if (!job) {
+    preview.note = job.error().message;
+  } else if (job->is_drawing()) {
+    add_count(preview, "Lines", job->drawing.lines.size());
+  } else {
+    add_count(preview, "Strokes",
+              kind == JobFile::Kind::kPath ? job->path.size() : job->program.strokes.size());
+  }
+  return preview;
+}
+
 // Header
 // --------------------------------------------------------------------------------------------------------
 
@@ -322,6 +338,9 @@ FilePreview preview_of(const PreviewRequest& request, const Progress& progress) 
   try {
     if (bytes > kMaxPreviewBytes) return preview_of_large(request.file, bytes);
     if (is_journal(request.file)) return preview_of_journal(request);
+    const auto job = job_kind(request.file);
+    if (job && (*job != JobFile::Kind::kPath || is_path_file(request.file)))
+      return preview_of_job(request.file, *job);
     if (request.file.extension() == ".json") return preview_of_scene(request, progress);
     return preview_of_mesh(request, progress);
   } catch (const std::bad_alloc&) {

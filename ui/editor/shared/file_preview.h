@@ -35,8 +35,9 @@ struct PreviewRequest {
 inline constexpr uintmax_t kMaxPreviewBytes = 128 << 20;
 
 // Reads a mesh, a scene or a journal, draws its faces in an orthographic view from the front right, and
-// describes it. A file that cannot be read has its error as the note. Stops early if `progress` does; the
-// result is then incomplete. Linear in the size of the file; independent of it above kMaxPreviewBytes.
+// describes it; or counts the lines of a drawing, or the strokes of a path or a program. A file that cannot
+// be read has its error as the note. Stops early if `progress` does; the result is then incomplete. Linear in
+// the size of the file; independent of it above kMaxPreviewBytes.
 FilePreview preview_of(const PreviewRequest& request, const Progress& progress);
 
 // Reads the preview of one file at a time on a background thread. Another request cancels a running job, and

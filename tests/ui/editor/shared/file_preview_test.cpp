@@ -122,6 +122,25 @@ TEST(FilePreview, states_only_the_header_of_large_files) {
   EXPECT_NE(preview.note.find("too large"), std::string::npos);
 }
 
+TEST(FilePreview, counts_the_lines_of_drawings_and_the_strokes_of_paths_and_programs) {
+  test::TemporaryFolder folder;
+  write_text(folder / "a.svg",
+             "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'>"
+             "<line x1='1' y1='1' x2='5' y2='1'/><line x1='1' y1='3' x2='5' y2='3'/></svg>");
+  write_text(folder / "a.json",
+             R"({"strokes": [{"laser": {"radius": 0.001},
+                 "keys": [{"t": 0, "origin": [0, 1, 0], "direction": [0, -1, 0]},
+                          {"t": 1, "origin": [1, 1, 0], "direction": [0, -1, 0]}]}]})");
+  write_text(folder / "a.nc", "G21 G90\nM4 S500\nG1 X10 F600\nM5\n");
+  for (const auto& [name, fact] :
+       {std::pair("a.svg", std::pair("Lines", "2")), std::pair("a.json", std::pair("Strokes", "1")),
+        std::pair("a.nc", std::pair("Strokes", "1"))}) {
+    const FilePreview preview = preview_of({folder / name}, kGoesOn);
+    EXPECT_EQ(preview.note, "");
+    EXPECT_EQ(preview.facts, (Facts{{fact.first, fact.second}})) << name;
+  }
+}
+
 TEST(FilePreview, notes_why_a_file_cannot_be_read) {
   test::TemporaryFolder folder;
   EXPECT_NE(preview_of({folder / "none.obj"}, kGoesOn).note, "");

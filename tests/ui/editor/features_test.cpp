@@ -1,5 +1,6 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,6 +26,13 @@ class Actions : public testing::Test {
   test::EditorFeatures editor;
   Workspace& workspace = editor.workspace;
   const std::vector<UserAction>& actions = editor.catalogue.actions;
+
+  bool handle_key(int key, bool again = false) {
+    InputEvent event{InputEvent::Kind::kKey, {}, key};
+    event.again = again;
+    return std::ranges::any_of(editor.features,
+                               [&](const auto& feature) { return feature->handle_event(event, false); });
+  }
 
   // "| Ctrl+O | Open... |" for every row of the sheet that F1 shows, in its order.
   std::vector<std::string> rows_of_sheet() const {
@@ -173,6 +181,30 @@ TEST_F(Actions, a_file_dialog_is_cancelled_before_the_question_about_unsaved_cha
   workspace.changes.process_requests();
   EXPECT_TRUE(asks());
   EXPECT_EQ(workspace.links.leaves, Leaves::kNot);
+}
+
+TEST_F(Actions, a_held_enter_key_does_not_confirm_the_replacement_of_a_file) {
+  FileBrowser& browser = workspace.services.browser;
+  browser.open = true;
+  EXPECT_TRUE(handle_key(GLFW_KEY_ENTER, true));
+  EXPECT_FALSE(browser.keys.enter);
+  EXPECT_TRUE(handle_key(GLFW_KEY_DOWN, true));
+  EXPECT_EQ(browser.keys.steps, 1);
+  EXPECT_TRUE(handle_key(GLFW_KEY_ENTER));
+  EXPECT_TRUE(browser.keys.enter);
+}
+
+TEST_F(Actions, a_held_key_is_not_bound_in_the_settings) {
+  ImGui::CreateContext();
+  find_action(actions, "help.settings")->run();
+  for (const int key : {GLFW_KEY_PAGE_DOWN, GLFW_KEY_PAGE_DOWN, GLFW_KEY_PAGE_DOWN, GLFW_KEY_PAGE_DOWN,
+                        GLFW_KEY_DOWN, GLFW_KEY_DOWN, GLFW_KEY_ENTER})
+    EXPECT_TRUE(handle_key(key));
+  EXPECT_TRUE(handle_key(GLFW_KEY_ENTER, true));
+  EXPECT_TRUE(workspace.settings.bindings.empty());
+  EXPECT_TRUE(handle_key(GLFW_KEY_F7));
+  EXPECT_EQ(workspace.settings.bindings.size(), 1u);
+  ImGui::DestroyContext();
 }
 
 TEST_F(Actions, volumes_and_counts_of_shadows_exclude_each_other_and_all_can_be_reset) {

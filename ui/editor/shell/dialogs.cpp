@@ -182,6 +182,8 @@ void draw_about(bool& shown, const std::string& version) {
   end_centred_window();
 }
 
+bool is_enter(int key) { return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER; }
+
 class Dialogs : public Feature {
  public:
   Dialogs(Workspace& workspace, const Catalogue& catalogue) : workspace_(workspace), catalogue_(catalogue) {}
@@ -196,16 +198,16 @@ class Dialogs : public Feature {
              "Close a menu; end the cut, even after release; stop opening a file; clear the selection"}};
   }
 
+  // A key that is held confirms nothing by its repetitions, and is not bound by them.
   bool handle_event(const InputEvent& event, bool) override {
     if (event.kind != InputEvent::Kind::kKey) return false;
-    // A held Enter must not accept the next window, or confirm what the first press has asked.
-    const bool counts = !event.again || (event.button != GLFW_KEY_ENTER && event.button != GLFW_KEY_KP_ENTER);
+    const bool repeats = event.again && (is_enter(event.button) || !page_.waits_for.empty());
     if (workspace_.services.browser.open) {
-      if (counts) browser_key(workspace_.services.browser, event.button);
+      if (!repeats) browser_key(workspace_.services.browser, event.button);
     } else if (palette_.open) {
-      if (counts) palette_key(palette_, event.button);
+      if (!repeats) palette_key(palette_, event.button);
     } else if (page_.shown && (page_.in_search || !is_text_field_active())) {
-      if (counts) settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
+      if (!repeats) settings_page_key(page_, workspace_.settings, catalogue_.usual, event.button, event.mods);
     } else {
       return false;
     }

@@ -127,17 +127,6 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
 }
 
-TEST_F(Actions, a_held_enter_counts_once_in_the_file_browser) {
-  FileBrowser& browser = workspace.services.browser;
-  browser.open = true;
-  for (const bool again : {false, true}) {
-    const InputEvent event{.kind = InputEvent::Kind::kKey, .button = GLFW_KEY_ENTER, .again = again};
-    EXPECT_TRUE(std::ranges::any_of(
-        editor.features, [&](const auto& feature) { return feature->handle_event(event, false); }));
-    EXPECT_EQ(std::exchange(browser.keys.enter, false), !again);
-  }
-}
-
 TEST_F(Actions, paste_needs_a_copied_piece_that_exists) {
   World world;
   world.add(make_body("left", test::build(test::sphere(8, 12, 1))));

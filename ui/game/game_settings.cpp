@@ -54,6 +54,30 @@ HighScore score_from(const nlohmann::json& json) {
   return s;
 }
 
+// Returns nullopt if the file is damaged or cannot be read.
+std::optional<std::vector<HighScore>> scores_in(const fs::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return std::nullopt;
+  try {
+    const auto json = parse_json(*text, file.string());
+    if (!json || !json->is_object()) return std::nullopt;
+    std::vector<HighScore> scores;
+    for (const auto& entry : json->at("scores")) scores.push_back(score_from(entry));
+    return scores;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+// Fails if the file cannot be read or set aside.
+Result<std::vector<HighScore>> load_high_scores(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return std::vector<HighScore>();
+  if (auto scores = scores_in(file)) return std::move(*scores);
+  if (!set_aside(file)) return failed(file.string() + ": the scores cannot be read or set aside");
+  return std::vector<HighScore>();
+}
+
 }  // namespace
 
 std::filesystem::path arena_file(GameArena arena) {
@@ -119,26 +143,14 @@ Status write_game_settings(const GameSettings& settings, const fs::path& file) {
 fs::path high_scores_file() { return state_folder() / "scores.json"; }
 
 std::vector<HighScore> read_high_scores(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) return {};
-  const auto text = read_text_file(file);
-  if (!text) return {};
-  std::vector<HighScore> scores;
-  try {
-    const auto json = parse_json(*text, file.string());
-    if (json && json->is_object()) {
-      for (const auto& entry : json->at("scores")) scores.push_back(score_from(entry));
-      return scores;
-    }
-  } catch (const nlohmann::json::exception&) {
-    scores.clear();
-  }
-  fs::rename(file, fs::path(file) += ".bad", error);
-  return {};
+  const auto scores = load_high_scores(file);
+  return scores ? *scores : std::vector<HighScore>();
 }
 
 Result<size_t> add_high_score(const HighScore& score, const fs::path& file) {
-  std::vector<HighScore> scores = read_high_scores(file);
+  auto loaded = load_high_scores(file);
+  if (!loaded) return loaded.error();
+  std::vector<HighScore>& scores = *loaded;
   const auto better = [&](const HighScore& s) {
     return is_of_game(s, score.rules, score.difficulty) && s.score >= score.score;
   };

@@ -71,8 +71,8 @@ struct GameSettings {
 // The file of the settings, next to that of the editor.
 std::filesystem::path game_settings_file();
 
-// Reads the settings. A missing or damaged file and invalid values give defaults; a damaged file is renamed
-// with ".bad" appended.
+// Reads the settings. A missing or damaged file and invalid values give defaults; a file that is damaged or
+// cannot be read is renamed with ".bad" appended.
 GameSettings read_game_settings(const std::filesystem::path& file);
 
 // Returns the settings to save after a session. A difficulty requested for this session alone is not saved:
@@ -97,7 +97,8 @@ inline constexpr size_t kMaxHighScores = 10;  // kept for each pair of rules and
 // The file of the scores, below state_folder().
 std::filesystem::path high_scores_file();
 
-// Reads the scores, best first. A missing file gives none; a damaged one is renamed with ".bad" appended.
+// Reads the scores, best first. A missing file gives none; one that is damaged or cannot be read is renamed
+// with ".bad" appended.
 std::vector<HighScore> read_high_scores(const std::filesystem::path& file);
 
 // Returns the scores with these rules and this difficulty; with an empty one, those of all difficulties.
@@ -105,7 +106,8 @@ std::vector<HighScore> high_scores_of(const std::string& rules, const std::strin
                                       const std::filesystem::path& file);
 
 // Adds a score to the file, which is replaced atomically. Returns its rank among those of its rules and
-// difficulty, from 1; 0 if it is not among the best.
+// difficulty, from 1; 0 if it is not among the best. Fails, without writing, if a file that cannot be read
+// cannot be renamed either.
 Result<size_t> add_high_score(const HighScore& score, const std::filesystem::path& file);
 
 }  // namespace kerf

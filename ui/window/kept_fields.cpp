@@ -25,21 +25,22 @@ KeptFields& KeptFields::any(const char* key, const Json& written,
   return *this;
 }
 
+bool set_aside(const fs::path& file) {
+  std::error_code error;
+  fs::rename(file, fs::path(file) += ".bad", error);
+  return !error;
+}
+
 Json read_kept(const fs::path& file, std::string& fault) {
   std::error_code error;
   if (!fs::exists(file, error)) return Json::object();
-  const auto text = read_text_file(file);
-  if (!text) {
-    fault = text.error().message;
-    return Json::object();
+  if (const auto text = read_text_file(file)) {
+    const auto json = parse_json(*text, file.string());
+    if (json && json->is_object()) return *json;
   }
-  const auto json = parse_json(*text, file.string());
-  if (json && json->is_object()) return *json;
-  fs::path bad = file;
-  bad += ".bad";
-  fs::rename(file, bad, error);
-  fault = error ? file.string() + ": cannot be read or set aside; the defaults are used"
-                : "The settings could not be read; their file was set aside as " + bad.string();
+  fault = set_aside(file)
+              ? "The settings could not be read; their file was set aside as " + file.string() + ".bad"
+              : file.string() + ": cannot be read or set aside; the defaults are used";
   return Json::object();
 }
 

@@ -49,9 +49,11 @@ class KeptFields {
   bool reads_;
 };
 
+// Renames a file with ".bad" appended, so that it is not overwritten. Returns false if that fails.
+bool set_aside(const std::filesystem::path& file);
+
 // Reads a settings file. Returns an empty object if the file is missing or cannot be read; in the latter case
-// `fault` is set to the reason. A file that is not a JSON object is first renamed with ".bad" appended, so
-// that it is not overwritten.
+// `fault` is set to the reason. A file that cannot be read or is not a JSON object is set aside.
 nlohmann::json read_kept(const std::filesystem::path& file, std::string& fault);
 
 // Writes a settings file atomically and creates missing folders.

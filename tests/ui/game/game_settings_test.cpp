@@ -47,6 +47,16 @@ TEST(GameSettings, invalid_json_is_set_aside) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "game.json.bad"));
 }
 
+// A folder cannot be read as a file, whoever runs the test.
+TEST(GameSettings, unreadable_file_is_set_aside) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "game.json";
+  std::filesystem::create_directory(file);
+  EXPECT_EQ(read_game_settings(file), GameSettings());
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "game.json.bad"));
+  EXPECT_TRUE(write_game_settings({}, file).ok());
+}
+
 TEST(GameSettings, do_not_store_a_command_line_difficulty) {
   GameSettings kept, now;
   kept.difficulty = Difficulty::kEasy;

@@ -39,5 +39,28 @@ TEST(HighScores, damaged_file_is_set_aside) {
   }
 }
 
+// A folder cannot be read as a file, whoever runs the test.
+TEST(HighScores, unreadable_file_is_set_aside) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "scores.json";
+  std::filesystem::create_directory(file);
+  const auto rank = add_high_score(score(5), file);
+  ASSERT_TRUE(rank) << rank.error().message;
+  EXPECT_EQ(*rank, 1u);
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "scores.json.bad"));
+}
+
+TEST(HighScores, damaged_file_that_cannot_be_set_aside_is_not_replaced) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "scores.json";
+  const std::string damaged = "{\"scores\": [";
+  std::ofstream(file) << damaged;
+  std::filesystem::create_directory(folder.path() / "scores.json.bad");
+  EXPECT_TRUE(read_high_scores(file).empty());
+  EXPECT_FALSE(add_high_score(score(5), file));
+  std::ifstream stream(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), damaged);
+}
+
 }  // namespace
 }  // namespace kerf

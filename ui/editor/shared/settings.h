@@ -90,7 +90,8 @@ struct LoadedSettings {
 };
 
 // Reads the settings. A missing file and invalid values give defaults. Labels in a file of version 1 become
-// ids. A file that is not JSON is renamed with ".bad" appended, so that it is not overwritten.
+// ids. A file that cannot be read or is not JSON is renamed with ".bad" appended, so that it is not
+// overwritten.
 LoadedSettings read_settings(const std::filesystem::path& file);
 
 // Writes the settings atomically, and creates missing folders.

@@ -254,11 +254,14 @@ bool Lesson::is_done(const Match& match) {
       }
       return !drum_.valid() || !match.world().contains(drum_) || drum_removed_ > kEnough ||
              std::ranges::any_of(match.delta().detached, [&](const Detached& d) { return d.from == drum_; });
-    case Step::kWheel:
-      return std::ranges::any_of(match.events(), [](const Event& e) {
-        return e.vehicle != Match::kPlayer &&
-               (e.kind == Event::Kind::kWheelLost || e.kind == Event::Kind::kKilled);
-      });
+    case Step::kWheel: {
+      // The player may have wrecked the car, or cut off all its wheels, before this task.
+      const Vehicle& car = match.vehicles().back();
+      return !car.alive || car.wheels_attached() == 0 ||
+             std::ranges::any_of(match.events(), [](const Event& e) {
+               return e.vehicle != Match::kPlayer && e.kind == Event::Kind::kWheelLost;
+             });
+    }
     case Step::kDone:
       break;
   }

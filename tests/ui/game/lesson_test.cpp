@@ -85,5 +85,17 @@ TEST_F(LessonTest, advances_from_hitting_a_drum_to_cutting_a_wheel) {
   EXPECT_FALSE(lesson_->task(*match_));
 }
 
+TEST_F(LessonTest, ends_if_the_car_has_lost_its_wheels_before) {
+  move_to(lesson_->task(*match_)->at);
+  match_->tick({});
+  EXPECT_TRUE(lesson_->on_tick(*match_));
+  EXPECT_TRUE(cut_at(lesson_->task(*match_)->at));
+  ASSERT_FALSE(lesson_->done());
+  for (Wheel& wheel : const_cast<Vehicle&>(match_->vehicles()[1]).wheels) wheel.attached = false;
+  match_->tick({});
+  EXPECT_TRUE(lesson_->on_tick(*match_));
+  EXPECT_TRUE(lesson_->done());
+}
+
 }  // namespace
 }  // namespace kerf

@@ -202,6 +202,10 @@ void HudState::on_event(const Match& match, const Event& event) {
       return add_line(text_of("%.1f s in the air", event.size), event.points, true);
     case Kind::kUpgraded:
       return add_line(kUpgrades[event.part - 1], 0, true, true);
+    case Kind::kNotSpawned:
+      return add_line(event.part > 0 ? "limit of " + std::to_string(event.part) + " other cars reached"
+                                     : "no room for another car",
+                      0, false);
     case Kind::kCarLost:
       return add_line((event.part == 0 ? "last car in " : "next car in ") +
                           text_of("%.0f s", match.rules().description.times.between_waves),

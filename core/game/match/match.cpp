@@ -116,7 +116,6 @@ std::optional<Placement> way_out(const World& world, const Vehicle& vehicle, con
 }
 
 constexpr Ticks kLookAround = 6;                   // between updates of the traffic for drivers
-constexpr size_t kMaxSpawned = 8;                  // vehicles in a sandbox
 constexpr double kImpact = 1.5;                    // m/s, change of velocity from which an impact is reported
 constexpr double kThrown = 0.2, kThrownUp = 0.12;  // fractions of the change of velocity in a crash
 constexpr double kCrumb = 0.0015;                  // m^2; smaller pieces burn up
@@ -281,14 +280,18 @@ void Match::add_enemies(const WaveStart& start, Delta& created) {
   }
 }
 
-// Spawns a vehicle if the player requests one, up to a limit.
+// Spawns a vehicle if the player requests one, up to a limit, and reports a request that it refuses.
 void Match::spawn() {
   const bool asks = vehicles_[kPlayer].controls.spawn, asked = std::exchange(asked_, asks);
-  if (!asks || asked || rules().spawns.empty() || vehicles_.size() > kMaxSpawned) return;
+  if (!asks || asked || rules().spawns.empty()) return;
+  const auto refuse = [&](size_t limit) {
+    tally_.add_event({Event::Kind::kNotSpawned, kPlayer, Event::kNobody, limit});
+  };
+  if (vehicles_.size() > kMaxOthers) return refuse(kMaxOthers);
   traffic_ = find_traffic(world(), vehicles_);
   const std::optional<Placement> place =
       place_before(world().body(vehicles_[kPlayer].chassis).placement, space_, traffic_);
-  if (!place) return;
+  if (!place) return refuse(0);
   const auto& model = rules().spawns[(vehicles_.size() - 1) % rules().spawns.size()];
   Delta created;
   vehicles_.push_back(add_vehicle(world_.world(), model, upright(*place, rules().arena.description.ground),

@@ -92,6 +92,8 @@ class Match {
   // The vehicles of the wave: the player's, then the enemies, then requested ones.
   static constexpr size_t kPlayer = Tally::kPlayer;
   const std::vector<Vehicle>& vehicles() const { return vehicles_; }
+  // Number of other vehicles from which on no requested one is added.
+  static constexpr size_t kMaxOthers = 8;
   // Parts that the player cut off and can take for kLootSeconds by driving within kLootReach [m] of them.
   struct LootPart {
     Loot loot;

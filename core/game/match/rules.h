@@ -128,6 +128,7 @@ struct Event {
     kLooted,       // the player took a part that lay around; `part` is its Loot
     kJumped,       // the player's car landed after `size` s in the air
     kUpgraded,     // the player's car; `part` is the number of the upgrade
+    kNotSpawned,   // no vehicle was added on request; `part` is the maximum number reached, or 0: no room
     kWon,
     kLost,
   };

@@ -75,6 +75,10 @@ TEST(HudState, own_losses_are_no_clean_cuts_and_points_fly_from_their_place) {
   EXPECT_EQ(hud.notices().front().text, "Freed");
   tell({Event::Kind::kRighted, Match::kPlayer, Event::kNobody, Event::kFlipped});
   EXPECT_EQ(hud.notices().front().text, "Flipped upright");
+  tell({Event::Kind::kNotSpawned, Match::kPlayer, Event::kNobody, 0});
+  EXPECT_EQ(hud.notices().front().text, "No room for another car");
+  tell({Event::Kind::kNotSpawned, Match::kPlayer, Event::kNobody, 8});
+  EXPECT_EQ(hud.notices().front().text, "Limit of 8 other cars reached");
   Event wheel{Event::Kind::kWheelLost, 1, Match::kPlayer};
   wheel.at = {1, 2, 3};
   wheel.points = 100;

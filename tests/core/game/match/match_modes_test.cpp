@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -172,6 +173,25 @@ TEST(Sandbox, a_vehicle_spawns_once_per_key_press) {
     again.tick(spawn_request(true));
   }
   EXPECT_EQ(state_hash(again.world()), hash);
+}
+
+TEST(Sandbox, a_request_without_a_vehicle_is_reported_once) {
+  Match match({sandbox(), 1, Difficulty::kNormal});
+  const auto refusals = [&] {
+    return std::ranges::count(match.events(), Event::Kind::kNotSpawned, &Event::kind);
+  };
+  for (size_t before = 0; before < match.vehicles().size();) {
+    EXPECT_EQ(refusals(), 0);
+    before = match.vehicles().size();
+    match.tick(spawn_request(false));
+    match.tick(spawn_request(true));
+  }
+  ASSERT_EQ(refusals(), 1);
+  const auto refusal = std::ranges::find(match.events(), Event::Kind::kNotSpawned, &Event::kind);
+  const bool is_full = match.vehicles().size() > Match::kMaxOthers;
+  EXPECT_EQ(refusal->part, is_full ? Match::kMaxOthers : 0);
+  match.tick(spawn_request(true));
+  EXPECT_EQ(refusals(), 0) << "the key is held";
 }
 
 // No face of the arena crosses a line along the vehicle, in any place of the arena.

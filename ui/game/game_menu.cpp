@@ -97,18 +97,6 @@ void draw_caption(const char* text) {
              HudPaint::Align::kMiddle);
 }
 
-// Describes the course of a match in addition to its score.
-std::string words_on_course(const MatchResult& result) {
-  const auto count = [](size_t n, const char* one, const char* more) {
-    return std::to_string(n) + " " + (n == 1 ? one : more) + ", ";
-  };
-  std::string words;
-  if (!result.ended) words += count(result.score.enemies_destroyed, "wreck", "wrecks");
-  words += count(result.pieces, "piece cut", "pieces cut");
-  if (!result.ended) words += count(result.wheels_lost, "wheel lost", "wheels lost");
-  return words + clock_text(result.score.seconds);
-}
-
 // Names the medal that the score has won, and the score for the next one.
 std::string words_on_medals(const MatchResult& result) {
   static constexpr std::array kMedals{"bronze", "silver", "gold"};
@@ -149,6 +137,17 @@ bool draw_choice(const char* what, Enum& value, const std::array<const char*, n>
 }
 
 }  // namespace
+
+std::string words_on_course(const MatchResult& result) {
+  const auto count = [](size_t n, const char* one, const char* more) {
+    return std::to_string(n) + " " + (n == 1 ? one : more) + ", ";
+  };
+  std::string words;
+  if (result.fights()) words += count(result.score.enemies_destroyed, "wreck", "wrecks");
+  words += count(result.pieces, "piece cut", "pieces cut");
+  if (result.fights()) words += count(result.wheels_lost, "wheel lost", "wheels lost");
+  return words + clock_text(result.score.seconds);
+}
 
 void begin_menu(const char* name, float across, float min_width) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -261,7 +260,7 @@ MenuChoice draw_result(const MatchResult& result, std::optional<MatchReplay::Sta
   ImGui::Spacing();
   const std::string& level = result.score.difficulty;
   draw_scores(result.scores, "High Scores: " + result.score.rules + (level.empty() ? "" : ", " + level),
-              result.rank, !result.ended);
+              result.rank, result.fights());
   if (menu_button("Play Again (R)", "restart")) choice = MenuChoice::kRestart;
   ImGui::BeginDisabled(replay != Replay::kOver);
   const char* label = !replay                        ? "No Highlight"

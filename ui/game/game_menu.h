@@ -74,7 +74,13 @@ struct MatchResult {
   size_t rank = 0;                // see add_high_score
   std::vector<HighScore> scores;  // for the same rules and difficulty, best first
   size_t wheels_lost = 0, pieces = 0;
+
+  // Returns true if matches of these rules are won or lost by a fight; only those have a difficulty.
+  bool fights() const { return !score.difficulty.empty(); }
 };
+
+// Describes the course of a match in addition to its score: "2 wrecks, 9 pieces cut, 1 wheel lost, 3:20".
+std::string words_on_course(const MatchResult& result);
 
 // Draws the result of a match at the left of the window, next to the replay of its best moment. `replay`:
 // its state; nullopt if the match has no such moment.

@@ -1,10 +1,11 @@
-#include "ui/game/hud.h"
+#include "ui/game/game_menu.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "tests/support/game_files.h"
+#include "ui/game/hud.h"
 
 namespace kerf {
 namespace {
@@ -60,6 +61,16 @@ TEST(LossWarning, names_the_wave_only_where_there_are_waves) {
   EXPECT_EQ(loss_warning(trial), "1 point will be lost.");
   Match sandbox({test::flat_rules(0, 0), 1, Difficulty::kNormal});
   EXPECT_EQ(loss_warning(sandbox), "0 points will be lost.");
+}
+
+TEST(MatchResult, counts_wrecks_only_in_a_fight) {
+  MatchResult result;
+  result.score = {450, "standard", "easy", false, 1, 200};
+  result.pieces = 9;
+  EXPECT_EQ(words_on_course(result), "1 wreck, 9 pieces cut, 0 wheels lost, 3:20");
+  result.score = {450, "trial", "", false, 0, 80};
+  EXPECT_FALSE(result.fights()) << "a time trial that was given up";
+  EXPECT_EQ(words_on_course(result), "9 pieces cut, 1:20");
 }
 
 TEST(HudState, own_losses_are_no_clean_cuts_and_points_fly_from_their_place) {

@@ -582,7 +582,7 @@ std::optional<std::string> GameScreen::answer(const std::string& what) const {
 void GameScreen::took(const FrameTime& time) {
   presets_.took(time.whole);
   if (presets_.select(settings_.preset) == PicturePreset::kLow) resolution_.took(time.whole);
-  frame_s_ += kFrameShare * (time.whole - frame_s_);
+  frame_s_ += (frame_s_ > 0 ? kFrameShare : 1) * (time.whole - frame_s_);
   frame_seconds_.push_back(time.whole);
 }
 

@@ -135,7 +135,7 @@ class GameScreen : public Screen {
   double after_end_ = 0;     // s in real time since the end of the match
   bool guide_ = true;
   double played_seconds_ = 0;
-  double frame_s_ = 0;  // average
+  double frame_s_ = 0;  // average; 0 before the first frame
 };
 
 }  // namespace kerf

@@ -46,11 +46,12 @@ class Sounds {
   // Sets the position of the listener (world, m) and its direction (unit).
   void listen(const Vec3& at, const Vec3& forward);
   // Sets a loop at a place, one for each `voice` (0 .. kVoices - 1); silent at a gain of 0. A pitch (> 0)
-  // of 2 doubles the speed.
-  static constexpr size_t kVoices = 6;
+  // of 2 doubles the speed. Each vehicle of a match has a voice.
+  static constexpr size_t kVoices = 1 + kMaxEnemies;
+  static_assert(Match::kMaxOthers <= kMaxEnemies);
   void set(Loop loop, size_t voice, const Vec3& at, double gain, double pitch = 1);
   void play(Shot shot, const Vec3& at, double gain, double pitch = 1);
-  // Stops all sounds, e.g. while the game is paused.
+  // Silences all loops, e.g. while the game is paused. The other sounds end by themselves within 1.4 s.
   void hush();
 
  private:

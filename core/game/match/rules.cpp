@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-constexpr size_t kMaxEnemies = 12, kMaxWaves = 50, kMaxCars = 9;
+constexpr size_t kMaxWaves = 50, kMaxCars = 9;
 constexpr NumberRange kPoints{0, 1e6};
 
 std::array<EnemySkill, 3> default_skills() {

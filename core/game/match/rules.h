@@ -49,6 +49,8 @@ struct MatchTimes {
   double stuck = 3;          // s, for which it is stuck before it is moved
 };
 
+inline constexpr size_t kMaxEnemies = 12;  // of a wave
+
 // The content of a rules file. The initial values are the defaults of missing keys.
 struct RulesDescription {
   std::string name;

@@ -319,7 +319,7 @@ void GameScreen::advance() {
     picture_.advance(*match_, clock_.pace() * seconds);
     const Vec3 aim = this->aim();
     camera_.follow(*match_, aim, seconds);
-    if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume);
+    if (state_ == State::kPlaying) sounds_.advance(*match_, camera_.eye(), aim, settings_.volume, seconds);
   }
   if (options_.seconds > 0 && played_seconds_ >= options_.seconds) leave_ = Leave::kAway;
 }
@@ -430,7 +430,7 @@ void GameScreen::advance_replay(double seconds) {
   picture_.advance(replay_->match(), replay_->is_slow() ? 0.25 * seconds : seconds);
   replay_->move_camera(seconds);
   const Vec3 ahead = replay_->camera().view(1, settings_.field_of_view).forward;
-  sounds_.advance(replay_->match(), replay_->camera().eye(), ahead, settings_.volume);
+  sounds_.advance(replay_->match(), replay_->camera().eye(), ahead, settings_.volume, seconds);
 }
 
 const Match& GameScreen::shown() const { return replay_shown_ ? replay_->match() : *match_; }

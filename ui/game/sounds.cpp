@@ -119,7 +119,7 @@ class QuietErrors {
 
 constexpr double kSoftImpact = 1.2, kLoudImpact = 9;  // m/s
 constexpr double kLargeSheet = 1.5;                   // m^2
-constexpr double kCuttingFade = 0.8;                  // fraction of the gain kept after a frame
+constexpr double kCuttingFade = 13;                   // 1/s
 constexpr double kFullSpeed = 24;                     // m/s
 
 using Kind = Event::Kind;
@@ -228,6 +228,8 @@ Wave chime_sound(bool good) {
   }
   return finished(std::move(wave), 0.5, false);
 }
+
+double faded_cutting_gain(double gain, double seconds) { return gain * std::exp(-kCuttingFade * seconds); }
 
 std::vector<int16_t> to_16_bits(std::span<const float> wave) {
   std::vector<int16_t> samples;
@@ -371,7 +373,8 @@ void MatchSounds::on_tick(const Match& match) {
   }
 }
 
-void MatchSounds::advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume) {
+void MatchSounds::advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume,
+                          double seconds) {
   if (!sounds_.on()) return;
   sounds_.set_volume(volume);
   sounds_.listen(eye, forward);
@@ -387,7 +390,7 @@ void MatchSounds::advance(const Match& match, const Vec3& eye, const Vec3& forwa
     sounds_.set(Loop::kLaser, i, at, there && v->gun.firing ? 0.55 : 0, 1);
     const bool warns = there && v->is_announcing();
     sounds_.set(Loop::kWarning, i, at, warns ? 0.5 : 0, warns ? 0.8 + v->gun.warning_s : 1);
-    cutting_[i] *= kCuttingFade;
+    cutting_[i] = faded_cutting_gain(cutting_[i], seconds);
     sounds_.set(Loop::kCutting, i, at, there && v->gun.firing && cutting_[i] > 0.02 ? cutting_[i] : 0, 1);
   }
 }

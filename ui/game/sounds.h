@@ -26,6 +26,9 @@ Wave sheet_sound();           // falling piece of sheet metal
 Wave explosion_sound();       // destruction of a vehicle
 Wave chime_sound(bool good);  // beginning of a wave, or end of a match
 
+// The gain of cutting_loop() at a time [s] after it was `gain`, without a cut in between.
+double faded_cutting_gain(double gain, double seconds);
+
 // Converts a wave to 16-bit integers, clamped to their range.
 std::vector<int16_t> to_16_bits(std::span<const float> wave);
 
@@ -63,8 +66,8 @@ class Sounds {
 class MatchSounds {
  public:
   void on_tick(const Match& match);
-  // Updates engines and lasers. `volume` of all, 0 .. 1.
-  void advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume);
+  // Updates engines and lasers after a time [s]. `volume` of all, 0 .. 1.
+  void advance(const Match& match, const Vec3& eye, const Vec3& forward, double volume, double seconds);
   void hush() { sounds_.hush(); }
 
  private:

@@ -54,6 +54,12 @@ TEST(Waves, one_shot_sounds_begin_and_end_in_silence) {
   }
 }
 
+TEST(CuttingGain, fades_with_time_at_every_frame_rate) {
+  const double once = faded_cutting_gain(0.8, 0.125);
+  EXPECT_LT(once, 0.5 * 0.8);
+  EXPECT_DOUBLE_EQ(faded_cutting_gain(faded_cutting_gain(0.8, 0.0625), 0.0625), once);
+}
+
 TEST(Waves, are_deterministic) { EXPECT_EQ(cutting_loop(), cutting_loop()); }
 
 TEST(Waves, int16_conversion_covers_the_whole_sample_range) {

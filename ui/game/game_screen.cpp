@@ -103,7 +103,7 @@ void GameScreen::enter(State state) {
   window_.catch_pointer(caught);
   if (!caught) sounds_.hush();
   input_.release_all();
-  if (caught) input_.take_held_keys(window_, settings_.keys);
+  if (caught) input_.take_held_controls(window_, settings_.keys);
   asked_ = MenuChoice::kNone;
   rebound_.reset();
   frames_due_ = kMenuFrames;

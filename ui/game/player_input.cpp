@@ -72,7 +72,10 @@ std::optional<GameAction> action_of_button(int button) {
 
 // The holders of actions (see ActionLatch): keys by their places, mouse buttons, and the gamepad.
 constexpr int kPadHolder = -100;
-int holder_of(const InputEvent& event, bool is_key) { return is_key ? event.place : -1 - event.button; }
+int holder_of_button(int button) { return -1 - button; }
+int holder_of(const InputEvent& event, bool is_key) {
+  return is_key ? event.place : holder_of_button(event.button);
+}
 
 // By digit, from 1.
 constexpr std::array kViews{SwitchId::kBoxes,         SwitchId::kSizes,        SwitchId::kWire,
@@ -190,11 +193,14 @@ void PlayerInput::handle_events(std::span<const InputEvent> events, const GameSe
   }
 }
 
-void PlayerInput::take_held_keys(const Window& window, const KeyBindings& bindings) {
+void PlayerInput::take_held_controls(const Window& window, const KeyBindings& bindings) {
   for (size_t i = 0; i < kGameActions; ++i) {
-    for (const int key : {bindings[i], action_keys(static_cast<GameAction>(i)).other_key}) {
+    const ActionKeys& keys = action_keys(static_cast<GameAction>(i));
+    for (const int key : {bindings[i], keys.other_key}) {
       if (key != 0 && window.is_key_held(key)) latches_[i].hold(key);
     }
+    if (keys.button >= 0 && window.is_button_held(keys.button))
+      latches_[i].hold(holder_of_button(keys.button));
   }
 }
 

@@ -76,8 +76,9 @@ class PlayerInput {
 
   // Releases all input; mouse motion is then measured from the next reported position.
   void release_all();
-  // Sets which actions are held from the keys that `window` reports, without counting a press.
-  void take_held_keys(const Window& window, const KeyBindings& bindings);
+  // Sets which actions are held from the keys and mouse buttons that `window` reports, without counting a
+  // press.
+  void take_held_controls(const Window& window, const KeyBindings& bindings);
   void reset();
   // Turns the aim by these angles [rad], within the limits of the vehicle.
   void turn(double left, double up);

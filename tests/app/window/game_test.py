@@ -182,6 +182,21 @@ class Game(WindowTest):
         self.assertIn(100, throttles)
         self.assertEqual(throttles[-1], 0)
 
+    def test_a_mouse_button_held_through_a_pause_fires_when_the_match_resumes(self):
+        rules = self.write_rules(waves=[])
+        record = os.path.join(os.path.dirname(rules), "match.kerf")
+        game = self.open("play", rules, "--record", record)
+        game.wait_for(lambda: self.playing(game), "the match never began")
+        game.hold(1)
+        self.open_menu(game)
+        game.press("Escape")
+        game.wait_for(lambda: self.playing(game), "Esc never resumed the match")
+        game.pause(0.5)
+        game.report()
+        with open(record) as file:
+            lines = [json.loads(line) for line in file]
+        self.assertEqual([run[4] for line in lines for run in line.get("inputs", [])][-1], 1)
+
     def test_menus_work_with_keys_alone_in_a_small_window(self):
         game = self.open("play")
         game.resize(640, 400)

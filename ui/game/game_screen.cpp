@@ -372,8 +372,10 @@ void GameScreen::follow_player() {
 }
 
 void GameScreen::finish() {
-  const Standing& standing = match_->standing();
   KERF_ASSERT(!result_);
+  // The first tick after the end switches the beams off.
+  if (match_->standing().aftermath == 0) tick();
+  const Standing& standing = match_->standing();
   MatchResult result;
   result.won = standing.phase == Standing::Phase::kWon;
   result.why = end_reason(*match_, killer_);

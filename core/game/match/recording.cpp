@@ -38,10 +38,12 @@ std::string inputs_line(std::span<const Controls> controls) {
   return nlohmann::ordered_json{{"inputs", runs}}.dump() + "\n";
 }
 
-// Reads element `i` of a run, a whole number within limits.
+// Reads element `i` of a run, a whole number within limits, of which `most` is not negative.
 template <typename T>
 bool take(const nlohmann::json& run, size_t i, int64_t least, int64_t most, T& out) {
   if (!run[i].is_number_integer()) return false;
+  // Numbers from 2^63 on would become negative.
+  if (run[i].is_number_unsigned() && run[i].get<uint64_t>() > static_cast<uint64_t>(most)) return false;
   const auto n = run[i].get<int64_t>();
   out = static_cast<T>(n);
   return n >= least && n <= most;

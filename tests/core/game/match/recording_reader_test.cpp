@@ -68,10 +68,11 @@ TEST_F(RecordingFile, random_controls_round_trip) {
 }
 
 TEST_F(RecordingFile, reads_up_to_an_invalid_line) {
-  for (const char* damaged : {R"({"inputs":[[0,0,0,0,0,0,0,0]]})", R"({"inputs":[[121,0,0,0,0,0,0,0]]})",
-                              R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,64,0,0,0,0]]})",
-                              R"({"inputs":[[1,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,0,0,0,0.5,0]]})",
-                              R"({"hash":"12"})", "[]", "{}", "{\"inputs\":"}) {
+  for (const char* damaged :
+       {R"({"inputs":[[0,0,0,0,0,0,0,0]]})", R"({"inputs":[[121,0,0,0,0,0,0,0]]})",
+        R"({"inputs":[[1,101,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,64,0,0,0,0]]})",
+        R"({"inputs":[[1,18446744073709551615,0,0,0,0,0,0]]})", R"({"inputs":[[1,0,0,0,0,0,0]]})",
+        R"({"inputs":[[1,0,0,0,0,0,0.5,0]]})", R"({"hash":"12"})", "[]", "{}", "{\"inputs\":"}) {
     const auto read_back = read(kHead + "\n" + kInputs + "\n" + damaged + "\n" + kInputs + "\n");
     ASSERT_TRUE(read_back) << damaged;
     EXPECT_EQ(read_back->controls.size(), 2u) << damaged;

@@ -91,6 +91,7 @@ bool Match::use_loot(const LootPart& part) {
   return false;
 }
 
+// A car that turns over in the air has not landed.
 void Match::count_jump() {
   const Vehicle& own = vehicles_[kPlayer];
   const bool grounded = std::ranges::any_of(own.wheels, &Wheel::grounded);
@@ -99,7 +100,7 @@ void Match::count_jump() {
     return;
   }
   const double seconds = seconds_of_ticks(std::exchange(in_air_, 0));
-  if (!own.alive || seconds < kJump || !(rules().description.scores.air > 0)) return;
+  if (!own.alive || !grounded || seconds < kJump || !(rules().description.scores.air > 0)) return;
   tally_.award({Event::Kind::kJumped, kPlayer, kPlayer, 0, own.chassis,
                 world().body(own.chassis).placement.position, seconds},
                std::round(rules().description.scores.air * seconds));

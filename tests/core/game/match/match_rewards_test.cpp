@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/deterministic_math.h"
 #include "core/base/ids.h"
 #include "core/game/match/match.h"
 #include "tests/support/game_files.h"
@@ -79,6 +80,20 @@ TEST(Jump, scores_its_time_in_the_air) {
   ASSERT_TRUE(jump);
   EXPECT_NEAR(jump->size, 1, 0.3);
   EXPECT_EQ(match.standing().score, jump->points);
+}
+
+TEST(Jump, scores_nothing_for_a_car_that_turns_over_in_the_air) {
+  auto rules = std::make_shared<Rules>(*quiet_rules(1));
+  rules->description.scores.air = 100;
+  Match match({rules, 1, Difficulty::kNormal});
+  pass(match, 1);
+  const auto chassis = [&]() -> Body& { return world(match).body(match.vehicles()[0].chassis); };
+  chassis().motion.velocity.y += 8;
+  pass(match, 1);
+  Placement& placement = chassis().placement;
+  placement.orientation = axis_angle({0, 0, 1}, 0.5 * kPi) * placement.orientation;
+  pass(match, 0.25);
+  EXPECT_EQ(match.standing().score, 0);
 }
 
 TEST(Wheel, a_replaced_one_holds_without_its_mount) {

@@ -635,7 +635,7 @@ void Match::lose_car() {
 }
 
 // The next wave begins at the place of the player. With another car the same wave restarts, without the
-// disabled enemies if others are left.
+// disabled enemies if others are left; that of targets also without them, because it ends with its time.
 void Match::end_pause() {
   Standing& standing = tally_.standing();
   if (--standing.pause_left > 0) return;
@@ -644,7 +644,8 @@ void Match::end_pause() {
   for (size_t i = 0; i < enemies_.size(); ++i) {
     if (!vehicles_[enemies_[i]].alive) next.out.push_back(numbers_[i]);
   }
-  const bool cleared = !enemies_.empty() && next.out.size() == rules().waves[next.standing.wave].size();
+  const bool cleared = !enemies_.empty() && !rules().description.targets &&
+                       next.out.size() == rules().waves[next.standing.wave].size();
   if (cleared && next.standing.wave + 1 == rules().waves.size()) {
     standing.phase = Standing::Phase::kWon;
     return tally_.add_event({Event::Kind::kWon});

@@ -135,6 +135,21 @@ TEST(Targets, stand_still_and_the_match_ends_on_time_even_if_all_are_destroyed) 
   EXPECT_EQ(match.standing().ticks, 2 * kTicksPerSecond);
 }
 
+TEST(Targets, that_are_all_destroyed_do_not_win_the_match_when_a_car_is_lost) {
+  const auto rules = quiet_waves(1, 2);
+  rules->description.targets = true;
+  rules->description.times.match = 1;
+  Match match({rules, 1, Difficulty::kNormal});
+  for (size_t v = 0; v < match.vehicles().size(); ++v) disable(match, v);
+  match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kDown);
+  tick_until_fight(match);
+  EXPECT_EQ(match.standing().phase, Phase::kFight);
+  EXPECT_EQ(match.vehicles().size(), 1u) << "the targets do not come back";
+  while (!match.standing().over()) match.tick({});
+  EXPECT_EQ(match.standing().phase, Phase::kEnded);
+}
+
 std::shared_ptr<const Rules> sandbox() {
   auto rules = std::make_shared<Rules>(*test::flat_rules(0, 0));
   rules->spawns = {test::hatchback()};

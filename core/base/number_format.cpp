@@ -1,8 +1,8 @@
 #include "core/base/number_format.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace kerf {
 
@@ -15,6 +15,13 @@ std::string grouped(size_t number) {
 
 std::string count_text(size_t count, const std::string& word) {
   return grouped(count) + ' ' + word + (count == 1 ? "" : "s");
+}
+
+std::string general_text(double number, int digits) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
+  return {text.data(), end.ptr};
 }
 
 LengthUnit unit_for(double metres) {
@@ -30,9 +37,7 @@ LengthUnit unit_for(double metres) {
 
 std::string length_text(double metres) {
   const LengthUnit unit = unit_for(metres);
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %s", metres / unit.metres, unit.name);
-  return text.data();
+  return general_text(metres / unit.metres, 3) + ' ' + unit.name;
 }
 
 }  // namespace kerf

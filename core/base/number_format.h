@@ -12,6 +12,10 @@ std::string grouped(size_t number);
 // Formats a count: "1 stroke", "3 strokes", "1 234 faces". Precondition: the plural of the word ends in "s".
 std::string count_text(size_t count, const std::string& word);
 
+// Formats a number with at most this many significant digits, as "%g" of printf does in the C locale: "0.05",
+// "1e-09". Precondition: 1 <= digits <= 17.
+std::string general_text(double number, int digits);
+
 // A unit of length: its symbol and its size in metres.
 struct LengthUnit {
   const char* name;

@@ -45,11 +45,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kFarthest = 1e5;  // m
 
-std::string number_text(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", x);
-  return text;
-}
+std::string number_text(double x) { return general_text(x, 10); }
 
 std::string span_text(const NumberRange& range) {
   return "from " + number_text(range.least) + " to " + number_text(range.most) + (*range.unit ? " " : "") +

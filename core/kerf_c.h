@@ -115,9 +115,10 @@ typedef struct kerf_body_info {
  * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(pieces). */
 KERF_API kerf_result kerf_body_get_info(const kerf_world* world, kerf_body body, kerf_body_info* info);
 
-/* Returns a copy of the name of a body, for a world that other threads may change.
+/* Returns a copy of the name of a body, for a world that other threads may change: the name that its only
+ * piece was given by kerf_piece_rename, else its own.
  * out: receives the text; free it with kerf_text_free.
- * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(1). */
+ * Errors: KERF_INVALID_ARGUMENT if there is no such body. O(pieces). */
 KERF_API kerf_result kerf_body_get_name(const kerf_world* world, kerf_body body, char** out);
 
 /* Returns a piece of a body as a mesh in world coordinates, with its mass properties.

@@ -119,8 +119,17 @@ Result<JointDescription> joint_of(const kerf_joint* given) {
   return made;
 }
 
+// Returns the name of a body as it stores it: the custom name of its only piece, else its own. O(pieces).
+const std::string& stored_name(const Body& body) {
+  const std::string displayed = body.own_name();
+  for (const auto& [label, name] : body.piece_names) {
+    if (name == displayed) return name;
+  }
+  return body.name;
+}
+
 void fill(const Body& body, kerf_body_info& info) {
-  info.name = body.name.c_str();
+  info.name = stored_name(body).c_str();
   if (const auto& table = materials(); table.ok()) {
     for (const Material& material : *table) {
       if (is_of(body.sheet.substance, material.substance)) info.material = material.name.c_str();
@@ -232,7 +241,7 @@ kerf_result kerf_body_get_name(const kerf_world* world, kerf_body body, char** o
                           [&](const kerf::Document& document, const kerf::Progress&) -> kerf::Status {
                             const auto own = kerf::body_of(document.world(), body);
                             if (!own) return own.error();
-                            *out = kerf::copy_of((*own)->name);
+                            *out = kerf::copy_of(kerf::stored_name(**own));
                             return kerf::Done{};
                           });
 }

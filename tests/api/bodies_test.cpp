@@ -395,15 +395,18 @@ TEST(Bodies, keep_pose_and_faces_in_a_saved_scene) {
   EXPECT_EQ(again.info(again.bodies()[0]).position[0], 3);
 }
 
-TEST(Bodies, keep_the_name_of_their_only_piece_in_a_saved_scene) {
+TEST(Bodies, have_the_name_of_their_only_piece_also_in_a_saved_scene) {
   World world;
   const BodyId body = world.add(sheet(10), "plate");
   world.cut(through_the_middle());
   const std::vector<uint32_t> labels = world.piece_labels(body, world.faces(body));
   world.rename(body, *std::max_element(labels.begin(), labels.end()), "lid");
+  EXPECT_EQ(world.name(body), "plate");
   world.remove(body, 0);
   ASSERT_EQ(world.pieces().size(), 1u);
   EXPECT_EQ(world.pieces()[0].name(), "lid");
+  EXPECT_EQ(world.name(body), "lid");
+  EXPECT_STREQ(world.info(body).name, "lid");
   const std::string folder = testing::TempDir() + "kerf-names";
   world.save_scene(folder);
   EXPECT_EQ(World(folder + "/scene.json").pieces()[0].name(), "lid");

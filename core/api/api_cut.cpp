@@ -183,7 +183,8 @@ Status check_walls(const World& world, const CutSettings& settings) {
 
 Result<std::vector<StrokeCommands>> stroke_commands_of(const kerf_world& world, const kerf_stroke* strokes,
                                                        size_t count, const kerf_cut_settings& settings) {
-  if (!world.bounds && count > 0) return bad_input("the world has no mesh; add one before a cut");
+  const bool has_mesh = world.bounds && !world.document.world().ids().empty();
+  if (!has_mesh && count > 0) return bad_input("the world has no mesh; add one before a cut");
   if (settings.bodies != nullptr && settings.body_count == 0)
     return bad_input("bodies: must not be an empty list; null cuts all visible bodies");
   for (size_t i = 0; i < settings.body_count; ++i) {

@@ -288,6 +288,11 @@ TEST(Api, an_empty_or_zero_size_world_reports_an_error) {
   EXPECT_THROW(empty.save_journal(testing::TempDir() + "kerf-face-empty.kerf"), kerf::InvalidArgument);
   EXPECT_EQ(empty.hash(), before);
   EXPECT_EQ(empty.cut(std::span<const kerf::Stroke>{}).removed_faces, 0u);
+  kerf::World emptied;
+  emptied.remove(emptied.add(sheet(2)), 0);
+  EXPECT_THROW(emptied.cut(through_the_middle()), kerf::InvalidArgument);
+  emptied.undo();
+  EXPECT_GT(emptied.cut(through_the_middle()).removed_faces, 0u);
   kerf::World small;
   small.add(
       kerf::Mesh(std::vector<double>{0, 0, 0, 1e-200, 0, 0, 0, 0, 1e-200}, std::vector<uint32_t>{0, 1, 2}));

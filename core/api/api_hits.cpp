@@ -356,7 +356,9 @@ kerf_result kerf_world_faces_in_box(const kerf_world* world, const double min[3]
 }
 
 void kerf_hits_free(kerf_hits* hits) {
-  if (hits == nullptr || !kerf::check_size(*hits, "hits")) return;
-  delete static_cast<kerf::HitArrays*>(hits->owner);
+  if (hits == nullptr) return;
+  const auto own = kerf::read_struct(hits, KERF_HITS_INIT, "hits");
+  if (!own) return;
+  delete static_cast<kerf::HitArrays*>(own->owner);
   kerf::write_struct(kerf_hits{}, *hits);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
 
 #include "core/kerf.h"
@@ -54,6 +55,14 @@ TEST(Hits, describe_the_point_of_the_face) {
     EXPECT_EQ(hits.pieces[i] > 0, by_side[right] > 0);
   }
   EXPECT_NE(by_side[0] > 0, by_side[1] > 0);
+}
+
+TEST(Hits, free_reads_no_member_beyond_the_size_of_the_struct) {
+  kerf_hits hits = KERF_HITS_INIT;
+  hits.size = offsetof(kerf_hits, owner);
+  hits.owner = &hits;  // of the program, in the memory that follows its struct
+  kerf_hits_free(&hits);
+  EXPECT_EQ(hits.owner, &hits);
 }
 
 TEST(Hits, closest_points_are_those_of_the_plane) {

@@ -29,6 +29,20 @@ std::string short_number(double x) {
   return {digits.data(), end};
 }
 
+// Returns the finite numbers with which a text begins.
+std::vector<double> leading_numbers(std::string_view text) {
+  std::vector<double> found;
+  while (!text.empty()) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    const size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const auto number = parse_number(text.substr(0, end));
+    if (!number || !std::isfinite(*number)) break;
+    found.push_back(*number);
+    text.remove_prefix(end);
+  }
+  return found;
+}
+
 // The statements of a material in MTL that glTF can express.
 class MtlStatements {
  public:
@@ -75,21 +89,12 @@ class MtlStatements {
   }
 
   std::vector<double> numbers(std::string_view keyword) const {
-    std::vector<double> found;
     for (const MtlLine& line : material_.mtl) {
       if (line.image || !is_of(line, keyword)) continue;
-      std::string_view rest = std::string_view(line.text).substr(keyword.size());
-      while (!rest.empty()) {
-        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-        const size_t end = std::min(rest.find_first_of(" \t"), rest.size());
-        const auto number = parse_number(rest.substr(0, end));
-        if (!number || !std::isfinite(*number)) break;
-        found.push_back(*number);
-        rest.remove_prefix(end);
-      }
-      if (!found.empty()) break;
+      std::vector<double> found = leading_numbers(std::string_view(line.text).substr(keyword.size()));
+      if (!found.empty()) return found;
     }
-    return found;
+    return {};
   }
 
   const SurfaceMaterial& material_;
@@ -485,13 +490,24 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Adds the keywords of the statements in MTL, other than maps and comments, that are not among those kept.
+// Returns true for the values that Blender writes for every material unless its user changed them.
+bool is_default_of_exporter(std::string_view keyword, const std::vector<double>& values) {
+  if (keyword == "ka") return values == std::vector<double>{1, 1, 1};
+  if (keyword == "ks") return values == std::vector<double>{0.5, 0.5, 0.5};
+  return keyword == "ni" && (values == std::vector<double>{1.45} || values == std::vector<double>{1.5});
+}
+
+// Adds the keywords of the statements in MTL, other than maps, comments and defaults, that are not among
+// those kept.
 void add_lost_statements(const SurfaceMaterial& material, std::span<const std::string_view> kept,
                          std::set<std::string>& lost) {
   for (const MtlLine& line : material.mtl) {
     const std::string keyword = mtl_keyword(line);
     if (line.image || keyword.starts_with('#')) continue;
-    if (std::ranges::find(kept, lower_case(keyword)) == kept.end()) lost.insert(keyword);
+    const std::string folded = lower_case(keyword);
+    if (std::ranges::find(kept, folded) != kept.end()) continue;
+    const std::vector<double> values = leading_numbers(std::string_view(line.text).substr(keyword.size()));
+    if (!is_default_of_exporter(folded, values)) lost.insert(keyword);
   }
 }
 

@@ -519,12 +519,25 @@ TEST(LostInGltf, has_options_and_second_maps_of_a_kind) {
 TEST(LostInGltf, has_statements_without_a_counterpart) {
   SurfaceLibrary library;
   SurfaceMaterial& material = library.materials.emplace_back();
-  for (const char* line : {"# painted", "Kd 1 0 0", "Ke 0 0 0", "Ks 0.5 0.5 0.5", "Ni 1.45", "Tf 1 1 1",
+  for (const char* line : {"# painted", "Kd 1 0 0", "Ke 0 0 0", "Ks 0.5 0.5 0.4", "Ni 1.3", "Tf 1 1 1",
                            "d 0.5", "Tr 0.5", "Ns 10", "Pr 0.5", "Pm 0", "illum 2", "KS 1"})
     material.mtl.push_back({line});
   EXPECT_EQ(lost_in_gltf(library, material), (std::vector<std::string>{"KS", "Ks", "Ni", "Tf"}));
   EXPECT_EQ(lost_in_3mf(material),
             (std::vector<std::string>{"KS", "Ke", "Ks", "Ni", "Ns", "Pm", "Pr", "Tf"}));
+}
+
+TEST(LostInGltf, omits_default_values_of_the_exporter) {
+  SurfaceLibrary library;
+  SurfaceMaterial& material = library.materials.emplace_back();
+  for (const char* line :
+       {"Ns 250.000000", "Ka 1.000000 1.000000 1.000000", "Kd 0.8 0.1 0.1", "Ks 0.500000 0.500000 0.500000",
+        "Ke 0.000000 0.000000 0.000000", "Ni 1.450000", "d 1.000000", "illum 2", "Ni 1.5"})
+    material.mtl.push_back({line});
+  EXPECT_EQ(lost_in_gltf(library, material), std::vector<std::string>{});
+  EXPECT_EQ(lost_in_3mf(material), (std::vector<std::string>{"Ke", "Ns"}));
+  for (const char* line : {"Ka 0 0 0", "ks 0.5", "Ni"}) material.mtl.push_back({line});
+  EXPECT_EQ(lost_in_gltf(library, material), (std::vector<std::string>{"Ka", "Ni", "ks"}));
 }
 
 TEST(LostIn3mf, has_factors_without_a_counterpart) {

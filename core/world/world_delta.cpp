@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace kerf {
 
@@ -34,37 +36,85 @@ void append_body(BodyDelta& body, const BodyDelta& later) {
   body.removed.insert(body.removed.end(), later.removed.begin(), later.removed.end());
 }
 
-bool has(const std::vector<BodyId>& ids, BodyId id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
+std::set<BodyId> set_of(const std::vector<BodyId>& ids) { return {ids.begin(), ids.end()}; }
+
+// The ids of bodies that a step changed, to those after it or before it.
+class ChangedIds {
+ public:
+  static ChangedIds after(const Delta& delta) {
+    ChangedIds all;
+    for (auto d = delta.detached.rbegin(); d != delta.detached.rend(); ++d) {
+      if (d->keeps_slots) all.ids_[d->from] = all.of(d->to);
+    }
+    return all;
+  }
+  static ChangedIds before(const Delta& delta) {
+    ChangedIds all;
+    for (const Detached& d : delta.detached) {
+      if (d.keeps_slots) all.ids_[d.to] = all.of(d.from);
+    }
+    return all;
+  }
+
+  BodyId of(BodyId id) const {
+    const auto changed = ids_.find(id);
+    return changed == ids_.end() ? id : changed->second;
+  }
+
+ private:
+  std::map<BodyId, BodyId> ids_;
+};
+
+// What the next step does to the ids in a delta.
+struct NextStep {
+  std::set<BodyId> destroyed;
+  ChangedIds ids;
+
+  explicit NextStep(const Delta& later) : destroyed(set_of(later.destroyed)), ids(ChangedIds::after(later)) {}
+};
+
+// Appends the ids that the list lacks.
+void add_once(std::vector<BodyId>& ids, const std::vector<BodyId>& more) {
+  std::set<BodyId> known = set_of(ids);
+  for (const BodyId id : more) {
+    if (known.insert(id).second) ids.push_back(id);
+  }
 }
 
-void add_once(std::vector<BodyId>& ids, BodyId id) {
-  if (!has(ids, id)) ids.push_back(id);
+// Converts ids to those after a step, without bodies that it destroyed, and appends those of the step.
+void append_ids(std::vector<BodyId>& ids, const std::vector<BodyId>& more, const NextStep& step) {
+  std::erase_if(ids, [&](BodyId id) { return step.destroyed.contains(id); });
+  for (BodyId& id : ids) id = step.ids.of(id);
+  if (!more.empty()) add_once(ids, more);
 }
 
-// Converts ids to those after `later`, without bodies that it removed.
-void follow_ids(std::vector<BodyId>& ids, const Delta& later) {
-  std::erase_if(ids, [&](BodyId id) { return has(later.destroyed, id); });
-  for (BodyId& id : ids) id = id_after(later, id);
-}
-
-void append_ids(std::vector<BodyId>& ids, const std::vector<BodyId>& more, const Delta& later) {
-  follow_ids(ids, later);
-  for (const BodyId id : more) add_once(ids, id);
-}
-
-void append_bodies(std::vector<BodyDelta>& bodies, Delta& later) {
-  std::erase_if(bodies, [&](const BodyDelta& b) { return has(later.destroyed, b.body); });
-  for (BodyDelta& b : bodies) b.body = id_after(later, b.body);
-  for (BodyDelta& b : later.bodies) {
-    const auto same =
-        std::find_if(bodies.begin(), bodies.end(), [&](const BodyDelta& a) { return a.body == b.body; });
-    if (same == bodies.end()) {
+void append_bodies(std::vector<BodyDelta>& bodies, std::vector<BodyDelta>& more, const NextStep& step) {
+  std::erase_if(bodies, [&](const BodyDelta& b) { return step.destroyed.contains(b.body); });
+  std::map<BodyId, size_t> index;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].body = step.ids.of(bodies[i].body);
+    index.emplace(bodies[i].body, i);
+  }
+  for (BodyDelta& b : more) {
+    const auto [same, is_new] = index.emplace(b.body, bodies.size());
+    if (is_new) {
       bodies.push_back(std::move(b));
     } else {
-      append_body(*same, b);
+      append_body(bodies[same->second], b);
     }
   }
+}
+
+// Appends the bodies that the next step destroyed, by their ids before the first step.
+void append_destroyed(Delta& delta, const Delta& later) {
+  if (later.destroyed.empty()) return;
+  const std::set<BodyId> created = set_of(delta.created);
+  const ChangedIds before = ChangedIds::before(delta);
+  std::vector<BodyId> more;
+  for (const BodyId id : later.destroyed) {
+    if (!created.contains(id)) more.push_back(before.of(id));
+  }
+  add_once(delta.destroyed, more);
 }
 
 }  // namespace
@@ -102,7 +152,8 @@ void Delta::append(Delta later) {
   removed_area += later.removed_area;
   removed_mass += later.removed_mass;
   solid += later.solid;
-  for (LeftOpen& open : left_open) open.body = id_after(later, open.body);
+  const NextStep step(later);
+  for (LeftOpen& open : left_open) open.body = step.ids.of(open.body);
   left_open.insert(left_open.end(), later.left_open.begin(), later.left_open.end());
   if (replaced || later.replaced) {
     Delta whole;
@@ -115,12 +166,10 @@ void Delta::append(Delta later) {
     *this = std::move(whole);
     return;
   }
-  for (const BodyId id : later.destroyed) {
-    if (!has(created, id)) add_once(destroyed, id_before(*this, id));
-  }
-  append_ids(created, later.created, later);
-  append_bodies(bodies, later);
-  for (const auto list : kChanged) append_ids(this->*list, later.*list, later);
+  append_destroyed(*this, later);
+  append_ids(created, later.created, step);
+  append_bodies(bodies, later.bodies, step);
+  for (const auto list : kChanged) append_ids(this->*list, later.*list, step);
   environment |= later.environment;
   for (const Detached& d : later.detached) {
     const bool back = !detached.empty() && detached.back() == Detached{d.to, d.label, d.from, d.keeps_slots};
@@ -131,7 +180,9 @@ void Delta::append(Delta later) {
     }
   }
   // An added body is read as a whole; its single changes need not be listed.
-  const auto is_new = [&](BodyId id) { return has(created, id); };
+  if (created.empty()) return;
+  const std::set<BodyId> all_created = set_of(created);
+  const auto is_new = [&](BodyId id) { return all_created.contains(id); };
   std::erase_if(bodies, [&](const BodyDelta& b) { return is_new(b.body); });
   for (const auto list : kChanged) std::erase_if(this->*list, is_new);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -96,6 +97,35 @@ TEST(Delta, undo_and_redo_cancel_except_for_faces) {
   EXPECT_EQ(back.moved, std::vector{kA});
   const Delta none = chained(detached, back);
   EXPECT_TRUE(none.created.empty() && none.destroyed.empty() && none.detached.empty());
+}
+
+// With a cost of the product of the lists, this takes minutes.
+TEST(Delta, long_lists_keep_their_order) {
+  constexpr uint32_t kCount = 300'000;
+  Delta delta, later;
+  std::vector<BodyId> wanted;
+  for (uint32_t slot = 0; slot < kCount; ++slot) {
+    const BodyId own{slot, 0}, next{slot, 1}, other{kCount + slot, 1};
+    delta.moved.push_back(own);
+    delta.bodies.push_back({own, {FaceId(1)}, {}, {}, {}, {}});
+    if (slot % 3 == 0) {
+      later.destroyed.push_back(own);
+    } else {
+      later.detached.push_back({own, 2, next, true});
+      wanted.push_back(next);
+    }
+    later.bodies.push_back({slot % 3 == 0 ? other : next, {FaceId(2)}, {}, {}, {}, {}});
+    later.moved.insert(later.moved.end(), {next, other});
+  }
+  std::ranges::copy_if(later.moved, std::back_inserter(wanted),
+                       [](BodyId id) { return id.slot % 3 == 0 || id.slot >= kCount; });
+  delta.append(later);
+  EXPECT_EQ(delta.moved, wanted);
+  EXPECT_EQ(delta.destroyed, later.destroyed);
+  ASSERT_EQ(delta.bodies.size(), size_t{kCount});
+  EXPECT_EQ(delta.bodies.front().body, (BodyId{1, 1}));
+  EXPECT_EQ(delta.bodies.front().added, (std::vector{FaceId(1), FaceId(2)}));
+  EXPECT_EQ(delta.bodies.back().body, (BodyId{2 * kCount - 3, 1}));
 }
 
 // All that there is to know of a world, kept up by deltas alone where the world was not replaced.

@@ -190,7 +190,8 @@ class ReplayRun {
     if (const auto s = show_as_asked(arguments_.picture, work_.scene, arguments_.journal, *picture); !s)
       return s;
     if (const auto s = PiecesFolder{arguments_.frames}.make(); !s) return s;
-    auto film = Film::begin(work_.scene, {*picture, arguments_.frames_per_second, arguments_.frames});
+    auto film =
+        Film::begin(work_.scene, {*picture, arguments_.frames_per_second, arguments_.frames}, work_.journal);
     if (!film) return film.error();
     film_.emplace(std::move(*film));
     return Done{};

@@ -419,7 +419,7 @@ Status film_cut(const std::filesystem::path& journal, const FilmFormat& format, 
   if (!work) return work.error();
   const auto options = options_for(journal, work->scene, format.width, format.height);
   if (!options) return options.error();
-  auto film = Film::begin(work->scene, {*options, format.frames_per_second, format.folder});
+  auto film = Film::begin(work->scene, {*options, format.frames_per_second, format.folder}, work->journal);
   if (!film) return film.error();
   Document document = document_of(std::move(work->scene.world), work->scene);
   Replay replay(work->journal, document);

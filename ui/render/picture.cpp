@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/document/command_log.h"
 #include "core/document/cut_effects.h"
 #include "core/document/replay.h"
+#include "core/mesh/mesh_file.h"
 #include "ui/gl/image.h"
 #include "ui/render/bodies/overlay_marks.h"
 #include "ui/render/passes/beam_effects.h"
@@ -46,9 +48,30 @@ void replay_all(const Journal& journal, Document& document,
 
 constexpr int kMaxSide = 16384;
 
+// Returns the bounds of an uncut scene and of the meshes that lasting commands of a journal add, where they
+// are added: a move that follows places them. Omits files that cannot be read.
+World::Bounds framed_bounds(const World& world, const Journal& journal) {
+  World::Bounds all = world.ids().empty() ? World::Bounds::none() : world.bounds();
+  const std::vector<Command>& commands = journal.commands;
+  const std::vector<bool> lasting = lasting_commands(commands);
+  for (size_t i = 0; i < commands.size(); ++i) {
+    const auto* added = std::get_if<AddMesh>(&commands[i]);
+    if (added == nullptr || !lasting[i]) continue;
+    const auto built = load_mesh(added->file, nullptr);
+    if (!built) continue;
+    const auto* move = i + 1 < commands.size() ? std::get_if<MovePiece>(&commands[i + 1]) : nullptr;
+    const bool is_placed = move != nullptr && move->piece.body.generation == i + 1;
+    const Placement placement = is_placed ? move->to : Placement();
+    const Vec3 ends[] = {built->report.min, built->report.max};
+    for (int corner = 0; corner < 8; ++corner)
+      all.add(placement.to_world({ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2].z}));
+  }
+  return all.is_none() ? world.bounds() : all;
+}
+
 // Fails if the eye is the target, so that the view has no direction.
-Result<CameraView> selected_view(const PictureOptions& options, const std::optional<View>& scene,
-                                 const World::Bounds& bounds) {
+Result<CameraView> selected_view(const PictureOptions& options, const Scene& scene, const Journal& journal) {
+  const World::Bounds bounds = scene.world.bounds();
   const double aspect = static_cast<double>(options.width) / options.height;
   const Vec3 middle = bounds.min + (bounds.max - bounds.min) * 0.5;
   const auto view_from = [&](const Vec3& eye, const Vec3& otherwise) -> Result<CameraView> {
@@ -58,9 +81,9 @@ Result<CameraView> selected_view(const PictureOptions& options, const std::optio
     return look_at(eye, target, aspect);
   };
   if (options.eye) return view_from(*options.eye, middle);
-  if (scene) return view_from(scene->eye, scene->target);
+  if (scene.view) return view_from(scene.view->eye, scene.view->target);
   Camera camera;
-  camera.frame_default(bounds, aspect);
+  camera.frame_default(options.target ? bounds : framed_bounds(scene.world, journal), aspect);
   camera.finish();
   const CameraView view = camera.view(aspect);
   return options.target ? view_from(view.eye, *options.target) : view;
@@ -94,7 +117,7 @@ Result<PictureOptions> options_for(const std::filesystem::path& file, const Scen
 }
 
 Result<RenderedImage> draw_picture(OpenedFile work, const PictureOptions& options) {
-  auto opened = OffscreenRenderer::open(work.scene, options);
+  auto opened = OffscreenRenderer::open(work.scene, options, work.journal);
   if (!opened) return opened.error();
   const auto renderer = std::make_shared<OffscreenRenderer>(std::move(*opened));
   const auto kept = std::make_shared<Document>(document_of(std::move(work.scene.world), work.scene));
@@ -129,12 +152,13 @@ Status render_picture(OpenedFile work, const PictureOptions& options, const std:
 OffscreenRenderer::OffscreenRenderer(gl::OffscreenContext context, gl::Framebuffer picture, Renderer renderer)
     : context_(std::move(context)), picture_(std::move(picture)), renderer_(std::move(renderer)) {}
 
-Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const PictureOptions& options) {
+Result<OffscreenRenderer> OffscreenRenderer::open(const Scene& scene, const PictureOptions& options,
+                                                  const Journal& journal) {
   if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > kMaxSide) {
     return bad_input("the size of an image must be from 1x1 to " + std::to_string(kMaxSide) + "x" +
                      std::to_string(kMaxSide));
   }
-  const auto view = selected_view(options, scene.view, scene.world.bounds());
+  const auto view = selected_view(options, scene, journal);
   if (!view) return view.error();
   auto context = gl::OffscreenContext::create();
   if (!context) return context.error();
@@ -194,9 +218,9 @@ Film::Film(OffscreenRenderer renderer, FilmOptions options, const World::Bounds&
       middle_(bounds.min + (bounds.max - bounds.min) * 0.5),
       speed_(bounds.diagonal() / kSecondsAcross) {}
 
-Result<Film> Film::begin(const Scene& scene, FilmOptions options) {
+Result<Film> Film::begin(const Scene& scene, FilmOptions options, const Journal& journal) {
   KERF_ASSERT(options.frames_per_second > 0);
-  auto renderer = OffscreenRenderer::open(scene, options.picture);
+  auto renderer = OffscreenRenderer::open(scene, options.picture, journal);
   if (!renderer) return renderer.error();
 
   Film film(std::move(*renderer), std::move(options), scene.world.bounds());

@@ -60,9 +60,11 @@ Status render_picture(OpenedFile work, const PictureOptions& options, const std:
 // exists.
 class OffscreenRenderer {
  public:
-  // Precondition: the scene is uncut. Fails if the eye is the target, or if OpenGL is not available or does
-  // not support the size.
-  static Result<OffscreenRenderer> open(const Scene& scene, const PictureOptions& options);
+  // Precondition: the scene is uncut. Without an eye, a target and a view of the scene, the view also frames
+  // the meshes that the journal adds; this reads their files. Fails if the eye is the target, or if OpenGL is
+  // not available or does not support the size.
+  static Result<OffscreenRenderer> open(const Scene& scene, const PictureOptions& options,
+                                        const Journal& journal = {});
 
   // Follows a change of the world; `step` is null if the changes are unknown.
   void follow(const World& world, const StepResult* step);
@@ -105,9 +107,9 @@ struct FilmOptions {
 // except AdvanceTime, unless bodies are in motion, and for a second at the end.
 class Film {
  public:
-  // Writes the first frames, of an uncut scene. Fails like OffscreenRenderer::open, or if a frame cannot be
-  // written.
-  static Result<Film> begin(const Scene& scene, FilmOptions options);
+  // Writes the first frames, of an uncut scene, in a view for its journal. Fails like
+  // OffscreenRenderer::open, or if a frame cannot be written.
+  static Result<Film> begin(const Scene& scene, FilmOptions options, const Journal& journal = {});
 
   // Must be called after each step of the document, which contains at most one move of the beam. `step`
   // holds its changes, or is null if they are unknown. Fails if a frame cannot be written.

@@ -4,10 +4,14 @@
 
 #include <unistd.h>
 
+#include <cmath>
+#include <utility>
+
 #include "core/document/commands.h"
 #include "core/document/journal.h"
 #include "core/document/stroke_path.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/gl/image.h"
 
 namespace kerf {
@@ -130,6 +134,27 @@ TEST(Picture, needs_an_eye_that_is_not_the_target) {
   const auto drawn = draw_picture({std::move(scene), {}}, at_the_eye);
   ASSERT_FALSE(drawn.ok());
   EXPECT_EQ(drawn.error().code, ErrorCode::kBadInput);
+}
+
+TEST(Picture, frames_the_meshes_that_a_journal_adds_unless_the_scene_has_a_view) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Placement far{{30, 0, 0}, {1, 0, 0, 0}};
+  Journal journal;
+  journal.commands = {AddMesh{folder / "far.obj", "far"}, MovePiece{{{1, 1}, 0}, far}};
+  Scene scene = scene_of(test::sphere(8, 12, 1));
+  const auto draw = [&](const Journal& added) {
+    const RenderedImage drawn = *draw_picture({scene, added}, {});
+    return std::pair(drawn.renderer->view(), drawn.document->world().bounds());
+  };
+  const auto [view, bounds] = draw(journal);
+  EXPECT_EQ(bounds.max.x, 31);
+  for (const Vec3& end : {bounds.min, bounds.max}) {
+    const Vec3 seen = view.project(end);
+    EXPECT_TRUE(seen.z > 0 && std::abs(seen.x) < 1 && std::abs(seen.y) < 1) << seen.x << ' ' << seen.y;
+  }
+  scene.view = View{{0, 0, 6}, {0, 0, 0}};
+  EXPECT_EQ(draw(journal).first, draw({}).first);
 }
 
 TEST(Picture, every_overlay_is_visible) {

@@ -17,6 +17,7 @@ void kerf_world::record_loaded(const kerf::Body& body, const kerf::Placement& pl
 void kerf_world::keep() {
   kept.resize(document.history().size() + 1);
   std::vector<double> durations = std::exchange(job.step_s, {});
+  job.freed_by.share();
   kept[document.history().position()] = Kept{job, settings, bounds, time_left};
   job.step_s = std::move(durations);
 }

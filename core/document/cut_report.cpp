@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/deterministic_math.h"
 #include "core/base/parallel.h"
@@ -160,6 +161,26 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
 
 }  // namespace
 
+void FreedParts::add(const PieceId& part, size_t stroke) {
+  if (!find(part)) own_.emplace(part, stroke);
+}
+
+std::optional<size_t> FreedParts::find(const PieceId& part) const {
+  if (const auto own = own_.find(part); own != own_.end()) return own->second;
+  for (const auto& parts : shared_) {
+    if (const auto found = parts->find(part); found != parts->end()) return found->second;
+  }
+  return std::nullopt;
+}
+
+void FreedParts::share() {
+  if (own_.empty()) return;
+  for (; !shared_.empty() && shared_.back()->size() <= own_.size(); shared_.pop_back())
+    own_.insert(shared_.back()->begin(), shared_.back()->end());
+  shared_.push_back(std::make_shared<const Parts>(std::move(own_)));
+  own_.clear();
+}
+
 void CutJob::record_loaded(const MeshReport& mesh) {
   input_faces += mesh.faces;
   input_vertices += mesh.vertices;
@@ -183,21 +204,21 @@ void CutJob::record_step(const StepResult& step, const World& world, double seco
 
 void CutJob::record_parts(const BodyDelta& body) {
   for (const CutFace& cut : body.removed) {
-    const auto freed = freed_by.find({body.body, cut.piece});
-    if (freed == freed_by.end() || freed->second == strokes) continue;
+    const std::optional<size_t> freed = freed_by.find({body.body, cut.piece});
+    if (!freed || *freed == strokes) continue;
     const auto same = [&](const ScrapCut& s) {
       return s.at.stroke == strokes && s.body == body.body && s.piece == cut.piece;
     };
     auto found = std::ranges::find_if(scrap, same);
     if (found == scrap.end()) {
-      found = scrap.insert(scrap.end(), {segment, freed->second, body.body, cut.piece});
+      found = scrap.insert(scrap.end(), {segment, *freed, body.body, cut.piece});
       found->at.stroke = strokes;
     }
     const Triangle& t = cut.corners;
     found->area += triangle_area(t);
     found->moment += triangle_area(t) * (t[0] + t[1] + t[2]) / 3.0;
   }
-  for (const uint32_t label : body.new_pieces) freed_by.try_emplace({body.body, label}, strokes);
+  for (const uint32_t label : body.new_pieces) freed_by.add({body.body, label}, strokes);
 }
 
 bool CutJob::record_segment(const StepStatistics& before) {

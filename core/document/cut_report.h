@@ -1,9 +1,9 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/base/json.h"
@@ -35,6 +35,23 @@ struct ScrapCut {
   uint32_t piece = 0;   // its label
   double area = 0;      // removed from the part, m^2
   Vec3 moment{0};       // centroid of this area times the area
+};
+
+// The strokes that freed parts.
+class FreedParts {
+ public:
+  // Records the stroke that freed a part, unless the part was freed before.
+  void add(const PieceId& part, size_t stroke);
+  // Returns the index of the stroke that freed a part; nullopt if none did. O(log^2 n).
+  std::optional<size_t> find(const PieceId& part) const;
+  // Makes later copies share the parts so far: a copy after each of n parts takes O(n log n) memory in all.
+  void share();
+
+ private:
+  using Parts = std::map<PieceId, size_t>;
+
+  Parts own_;
+  std::vector<std::shared_ptr<const Parts>> shared_;  // each longer than the next one
 };
 
 // Standoff and collisions of the nozzle along a segment.
@@ -85,7 +102,7 @@ struct CutJob {
   std::vector<size_t> missed;         // indices of the strokes that hit nothing, ascending
   std::vector<UncutSegment> uncut;    // in order; thermal model only
   std::vector<ScrapCut> scrap;        // by stroke and part
-  std::map<std::pair<BodyId, uint32_t>, size_t> freed_by;  // stroke by body and label of the part
+  FreedParts freed_by;
   size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;
   size_t steps = 0;  // number of beam moves, as requested

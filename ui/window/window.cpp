@@ -258,7 +258,7 @@ struct DesktopWindow::Callbacks {
     of(w).activity_ = true;
   }
   static void drop(GLFWwindow* w, int count, const char** files) {
-    of(w).drops_.assign(files, files + count);
+    of(w).drops_.insert(of(w).drops_.end(), files, files + count);
     of(w).activity_ = true;
   }
   template <typename... Ignored>

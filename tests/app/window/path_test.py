@@ -114,6 +114,21 @@ class Path(WindowTest):
         self.assertNotIn("drawing", report)
         self.assertEqual((report["undo_depth"], report["state_hash"]), (0, first["state_hash"]))
 
+    def test_a_drawing_named_with_a_broken_mesh_is_not_placed_on_the_default_scene(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write_settings({})
+        broken, drawing = (os.path.join(self.folder, name) for name in ("broken.stl", "drawing.svg"))
+        for file, text in ((broken, "solid nothing\nfacet normal none\n"), (drawing, self.SQUARE)):
+            with open(file, "w") as output:
+                output.write(text)
+        self.assertIn("drawing", self.open_again(drawing).quit())
+        report = self.open_again(broken, drawing).quit()
+        self.assertEqual(report["files"], ["car.json"])
+        self.assertIn("broken.stl", report["message"])
+        self.assertNotIn("drawing", report)
+
     def test_esc_stops_the_emitter_before_it_removes_a_drawing(self):
         editor = self.open_drawing(self.SQUARE)
         editor.point_at(0.1, 0.1)

@@ -622,7 +622,7 @@ void FileOpener::take_loaded(bool may_replace) {
   stage_is_empty_ = false;
   workspace_.opening.partial_world.reset();
   const Message why = workspace_.message;  // the file could not be opened
-  open_fresh();
+  open_substitute();
   if (!why.text.empty()) workspace_.message.show(why.text, why.is_error);
 }
 

@@ -139,6 +139,9 @@ class FileOpener {
   // Called between two frames: shows loaded files if they may replace the open document. If the stage is
   // empty and no file is being read, shows the default scene.
   void take_loaded(bool may_replace);
+  // Returns true while the default scene replaces files that could not be opened, during
+  // Feature::on_document_opened().
+  bool opens_substitute() const { return opens_substitute_; }
   // Returns true before the first document is shown.
   bool is_stage_empty() const { return stage_is_empty_; }
   // A mesh file that a scene or journal names and that is missing, so that it was not opened. Until the
@@ -184,6 +187,11 @@ class FileOpener {
 
   LoadRequest order_of(std::vector<std::filesystem::path> files) const;
   Status open_default_scene();
+  void open_substitute() {
+    opens_substitute_ = true;
+    open_fresh();
+    opens_substitute_ = false;
+  }
   void show_empty_stage();
   // Empties the stage before other files are read, so that the camera frames these.
   void drop_partial_world() {
@@ -200,6 +208,7 @@ class FileOpener {
   std::filesystem::path found_;  // mesh file of the last open_with(), and the missing one that it replaces
   std::filesystem::path replaced_mesh_;
   bool stage_is_empty_ = false;
+  bool opens_substitute_ = false;
   bool uploads_ = false;                      // the faces of the opened files
   std::optional<ReplacedDocument> replaced_;  // kept during the upload; nullopt: none was open
   bool shadows_due_ = false;                  // the shadow casters of the opened scene are not prepared yet

@@ -161,7 +161,8 @@ class FilesFeature : public Feature {
     watch_again();
     reloaded_view_ = std::exchange(kept_view_, std::nullopt);
     replaced_altered_ = std::exchange(altered_, {});
-    workspace_.links.take(std::exchange(companions_, {}));
+    const std::vector<fs::path> companions = std::exchange(companions_, {});
+    if (!opener_.opens_substitute()) workspace_.links.take(companions);
   }
 
   void draw_windows() override {

@@ -191,11 +191,10 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
   using M = TourMoment;
   return {
       {"Cut",
-       "Hold the left button to the left of the windscreen, drag through the windows past the back of the "
-       "car, and release.",
-       "", [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},
-      {"Undo", by_key(view, "edit.undo", "Undo", " undoes the stroke and restores the car."), "panel history",
-       [](const M& begin, const M& now) { return now.position < begin.position; }},
+       "Hold the left button on one side of the mesh, drag across it past the other side, and release.", "",
+       [](const M& begin, const M& now) { return now.position > begin.position && !now.cuts; }},
+      {"Undo", by_key(view, "edit.undo", "Undo", " undoes the stroke and restores the mesh."),
+       "panel history", [](const M& begin, const M& now) { return now.position < begin.position; }},
       {"Redo",
        by_key(view, "edit.redo", "Redo",
               " redoes the stroke. Click a row in the History panel to jump to that step."),
@@ -209,7 +208,7 @@ std::vector<TourStep> first_five_minutes(const ViewState& view) {
        [](const M& begin, const M& now) { return now.plays && now.clock >= begin.clock + kSeenFalling; }},
       {"Pause",
        by_key(view, "physics.play", "Play", " again pauses it; ") +
-           by_key(view, "edit.undo", "Undo", " restores the car."),
+           by_key(view, "edit.undo", "Undo", " puts the pieces back."),
        "", [](const M&, const M& now) { return !now.plays; }},
       {"Wireframe",
        by_key(view, "view.wire", "Wireframe", " shows the edges: only faces under the beam are refined."),
@@ -262,7 +261,7 @@ void Tour::go_to(size_t step, const TourMoment& now) {
 TourMove draw_tour_card(const Tour& tour, const Area& picture, const std::optional<Area>& part) {
   const float em = ImGui::GetFontSize(), margin = kMargin * em;
   // Next to what it points at, which is right of the viewport, else in the upper left corner of the
-  // viewport, where it hides neither the car nor the hints.
+  // viewport, where it hides neither the mesh nor the hints.
   const auto left = static_cast<float>(picture.at.x) + margin;
   const auto right = static_cast<float>(picture.at.x + picture.size.x) - margin;
   const float top =
@@ -321,9 +320,8 @@ class WelcomeFeature : public Feature {
     return {
         make_action("help.welcome", "Welcome", "", "Opens the start page: recent files, scenes and the tour.",
                     [this] { shown_ = true; }),
-        make_action("help.tour", "Guided Tour", "",
-                    "Explains the editor with the car; each step waits for you.", [this] { begin_tour(); },
-                    {.checked = [this] { return tour_.is_on(); }})};
+        make_action("help.tour", "Guided Tour", "", "Explains the editor; each step waits for you.",
+                    [this] { begin_tour(); }, {.checked = [this] { return tour_.is_on(); }})};
   }
 
   Status on_start(const EditorOptions& options) override {

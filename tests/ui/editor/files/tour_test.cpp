@@ -58,5 +58,10 @@ TEST(Tour, names_the_bound_keys) {
   EXPECT_TRUE(first_five_minutes(ViewState())[1].text.starts_with("\"Undo\" "));
 }
 
+TEST(Tour, fits_any_open_document) {
+  for (const TourStep& step : first_five_minutes(ViewState()))
+    EXPECT_EQ(step.text.find("car"), std::string::npos) << step.text;
+}
+
 }  // namespace
 }  // namespace kerf

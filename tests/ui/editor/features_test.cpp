@@ -83,6 +83,24 @@ TEST_F(Actions, shortcut_text_is_shown_exactly_if_a_key_is_bound) {
   for (const UserAction& a : actions) EXPECT_EQ(!a.shortcut.empty(), a.key != 0) << a.name;
 }
 
+TEST_F(Actions, hints_name_the_bound_keys) {
+  const auto hint = [&] {
+    for (const auto& feature : editor.features) {
+      if (const char* words = feature->status_hint()) return std::string(words);
+    }
+    return std::string();
+  };
+  for (const auto& [tool, action] :
+       {std::pair(kLaserTool, "help.shortcuts"), std::pair(kPathTool, "path.run")}) {
+    workspace.input.tool = tool;
+    workspace.view.shortcuts = {{action, "Alt+9"}};
+    EXPECT_NE(hint().find("Alt+9"), std::string::npos) << hint();
+    workspace.view.shortcuts.clear();
+    EXPECT_TRUE(hint().find("F1") == std::string::npos && hint().find("Ctrl+Enter") == std::string::npos)
+        << hint();
+  }
+}
+
 TEST_F(Actions, either_run_or_open_a_menu) {
   for (const UserAction& a : actions) EXPECT_TRUE((a.run != nullptr) != (a.items != nullptr)) << a.name;
 }

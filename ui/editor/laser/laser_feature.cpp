@@ -119,11 +119,13 @@ constexpr const char* kCompareTip =
     "Cuts the last stroke at five edge lengths and charts faces against the error of the rim.";
 constexpr double kCar = 4.5;  // m, diagonal of a world with particles of the default size
 
-constexpr std::array kHints{
-    "Left-drag to cut",
-    "Middle-drag to orbit, scroll to zoom",
-    "F1 shows all shortcuts",
-};
+// Returns the hints of the first launch, without one for a key that is not bound.
+std::vector<std::string> first_hints(const ViewState& view) {
+  std::vector<std::string> hints{"Left-drag to cut", "Middle-drag to orbit, scroll to zoom"};
+  const std::string key = shortcut_of(view, "help.shortcuts");
+  if (!key.empty()) hints.push_back(key + " shows all shortcuts");
+  return hints;
+}
 
 std::array<Vec2, 4> corners_of(const Area& a) {
   return {a.at, a.at + Vec2(a.size.x, 0), a.at + Vec2(0, a.size.y), a.at + a.size};
@@ -142,23 +144,24 @@ bool hides_axes(const ViewState& view, const Area& area) {
   return std::any_of(ends.begin(), ends.end(), [&](const AxisEnd& end) { return area.contains(end.at); });
 }
 
-Vec2 size_of_hints() {
+Vec2 size_of_hints(const std::vector<std::string>& hints) {
   const double em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeightWithSpacing();
   double widest = 0;
-  for (const char* hint : kHints) widest = std::max<double>(widest, ImGui::CalcTextSize(hint).x);
-  return {widest + 2 * em, static_cast<double>(kHints.size()) * line + em};
+  for (const std::string& hint : hints)
+    widest = std::max<double>(widest, ImGui::CalcTextSize(hint.c_str()).x);
+  return {widest + 2 * em, static_cast<double>(hints.size()) * line + em};
 }
 
-void draw_hints(const Area& box) {
+void draw_hints(const std::vector<std::string>& hints, const Area& box) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = ImGui::GetFontSize();
   const auto left = static_cast<float>(box.at.x), top = static_cast<float>(box.at.y);
   const auto width = static_cast<float>(box.size.x), height = static_cast<float>(box.size.y);
   list.AddRectFilled({left, top}, {left + width, top + height}, colours::shade(), 3);
   float y = top + 0.65f * em;
-  for (size_t i = 0; i < kHints.size(); ++i) {
-    const float x = left + 0.5f * (width - ImGui::CalcTextSize(kHints[i]).x);
-    list.AddText({x, y}, i == 0 ? colours::text() : colours::secondary(), kHints[i]);
+  for (size_t i = 0; i < hints.size(); ++i) {
+    const float x = left + 0.5f * (width - ImGui::CalcTextSize(hints[i].c_str()).x);
+    list.AddText({x, y}, i == 0 ? colours::text() : colours::secondary(), hints[i].c_str());
     y += ImGui::GetTextLineHeightWithSpacing();
   }
 }
@@ -300,8 +303,10 @@ class LaserFeature : public Feature {
     return cancel_stroke(workspace_) || at_work;
   }
   const char* status_hint() const override {
-    return workspace_.links.cut_once ? "Laser: drag to cut, Ctrl+click to select"
-                                     : "Laser: drag to cut, F1 for all shortcuts";
+    if (workspace_.links.cut_once) return "Laser: drag to cut, Ctrl+click to select";
+    const std::string key = shortcut_of(workspace_.view, "help.shortcuts");
+    hint_ = "Laser: drag to cut" + (key.empty() ? "" : ", " + key + " for all shortcuts");
+    return hint_.c_str();
   }
 
   void update(double) override {
@@ -520,6 +525,7 @@ class LaserFeature : public Feature {
   BeamSparks sparks_;
   WaitingStrokes waiting_;
   StrokeRecut recut_{workspace_};
+  mutable std::string hint_;  // returned by status_hint()
 };
 
 // Input
@@ -668,9 +674,10 @@ void draw_hint_box(const World& world, const ViewState& view, const Area& taken)
            !meets_hull(area, corners_of(view.header)) && !meets_hull(area, corners_of(view.toolbar)) &&
            !hides_axes(view, area);
   };
-  const auto place = free_place(picture, size_of_hints(), 1.2 * ImGui::GetFontSize(), is_free);
+  const std::vector<std::string> hints = first_hints(view);
+  const auto place = free_place(picture, size_of_hints(hints), 1.2 * ImGui::GetFontSize(), is_free);
   if (!place) return;
-  draw_hints(*place);
+  draw_hints(hints, *place);
   mark_area("hints", *place);
 }
 

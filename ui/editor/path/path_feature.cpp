@@ -129,8 +129,11 @@ class PathFeature : public Feature {
     return drag;
   }
   const char* status_hint() const override {
-    return is_active() ? "Path: click to add a point, Shift+click for a new stroke, Ctrl+Enter to run"
-                       : nullptr;
+    if (!is_active()) return nullptr;
+    const std::string key = shortcut_of(workspace_.view, "path.run");
+    hint_ = "Path: click to add a point, Shift+click for a new stroke" +
+            (key.empty() ? "" : ", " + key + " to run");
+    return hint_.c_str();
   }
 
   void update(double) override {
@@ -350,6 +353,7 @@ class PathFeature : public Feature {
   std::optional<size_t> runs_from_;             // position of the history before the current run
   size_t kept_ = 0;                             // PathWork::changes() of the path stored in the document
   std::vector<std::filesystem::path> waiting_;  // path files, until a document is open
+  mutable std::string hint_;                    // returned by status_hint()
 };
 
 }  // namespace

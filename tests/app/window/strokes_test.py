@@ -130,6 +130,23 @@ class Strokes(WindowTest):
         self.assertEqual(report["last_stroke"]["faces_removed"], report["faces_removed"])
         self.assertGreater(report["last_stroke"]["faces_made"], 100)
 
+    def test_a_live_recut_dropped_with_its_document_does_not_widen_the_next_one(self):
+        self.open(SPHERE).quit()
+        self.set(bindings={"laser.wider": "F7", "resolution.live": "F6"})
+        editor = self.open_again(SPHERE)
+        editor.drag(ACROSS)
+        self.save_as(editor, "cut")
+        editor.wait_for_title("cut.kerf - Kerf")
+        editor.press_at_once(("ctrl", "n"), ("F7",))
+        editor.wait_for_title("car.json - Kerf")
+        editor.drag([(0.53, 0.14), (0.53, 0.93)])
+        editor.do("F6")
+        editor.do("F7")
+        before = editor.ask("report")["last_stroke"]["radius"]
+        editor.do("r")
+        report = editor.quit()
+        self.assertEqual((report["recuts"], report["last_stroke"]["radius"]), (1, before))
+
     def test_a_slider_stays_active_during_a_background_recut(self):
         editor = self.open()
         editor.drag([(0.27, 0.36), (0.8, 0.42)])

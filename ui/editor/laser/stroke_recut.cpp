@@ -29,22 +29,25 @@ const char* StrokeRecut::disabled_reason() const {
   return is_kept && can_recut(document) ? nullptr : "The undo data of the last cut were discarded.";
 }
 
+// Replaces a request that is still queued, and includes its radius.
 void StrokeRecut::request(bool radius) {
-  with_radius_ = with_radius_ || radius;
-  workspace_.changes.enqueue("Recut", [this] { recut(std::exchange(with_radius_, false)); });
+  const auto queued = queued_.lock();
+  const auto with_radius = std::make_shared<const bool>(radius || (queued && *queued));
+  workspace_.changes.enqueue("Recut", [this, with_radius] { recut(*with_radius); });
+  queued_ = with_radius;
 }
 
 void StrokeRecut::request_live(bool radius) {
   if (!workspace_.settings.live_recut || disabled_reason() != nullptr) return;
   if (group() == nullptr) return request(radius);
   waits_ = true;
-  with_radius_ = with_radius_ || radius;
+  waits_with_radius_ = waits_with_radius_ || radius;
 }
 
 void StrokeRecut::update() {
   if (!waits_ || ImGui::IsAnyItemActive()) return;
   waits_ = false;
-  request(false);
+  request(std::exchange(waits_with_radius_, false));
 }
 
 // Returns the group that the history ends with if it consists of strokes, otherwise null.

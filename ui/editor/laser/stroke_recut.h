@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "ui/editor/shared/workspace.h"
 
 namespace kerf {
@@ -29,8 +31,10 @@ class StrokeRecut {
   void set_resolution(CutSettings& settings, bool radius) const;
 
   Workspace& workspace_;
-  bool with_radius_ = false;  // the requested recut also uses the current radius
-  bool waits_ = false;        // until no slider is held
+  // Whether the queued recut also uses the current radius; expires when it begins or is dropped.
+  std::weak_ptr<const bool> queued_;
+  bool waits_ = false;              // until no slider is held
+  bool waits_with_radius_ = false;  // the recut that waits also uses the current radius
 };
 
 }  // namespace kerf

@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/base/platform.h"
-#include "core/document/material_table.h"
+#include "core/document/extract.h"
 #include "core/document/text/fields.h"
 #include "core/mesh/measures.h"
 #include "ui/editor/shared/command_labels.h"
@@ -16,6 +17,7 @@
 #include "ui/editor/shared/file_frames.h"
 #include "ui/editor/shared/panel_rows.h"
 #include "ui/editor/shared/piece_set.h"
+#include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/shared/world_changes.h"
 #include "ui/render/bodies/body_picture.h"
 #include "ui/window/layout.h"
@@ -133,12 +135,6 @@ constexpr std::array kConstantRows{
 static_assert(kConstantRows.size() + 2 == std::size(kSubstanceFields),
               "the density and the wavelength have no row here");
 
-struct MaterialChange {
-  std::optional<SheetEdit> sheet;
-  std::optional<bool> solid;
-  std::string cut_material;  // empty: unchanged
-};
-
 // Draws the choice of the material of walls among the materials of a solid body. Returns the one that was
 // clicked, or an empty name.
 std::string draw_cut_material(const Body& body) {
@@ -156,30 +152,10 @@ std::string draw_cut_material(const Body& body) {
   return selected;
 }
 
-// Edits the sheet of the selected pieces, or of all pieces if none is selected: material (from
-// assets/materials.json), thickness, constants, and solidity. Each change is one history entry and leaves the
-// other properties of each piece unchanged.
-class MaterialPanel {
- public:
-  MaterialChange draw(const Workspace& workspace);
-
- private:
-  bool draw_presets(Sheet& sheet);
-  bool draw_numbers(Sheet& sheet);
-  bool draw_constants(Substance& substance);
-  template <typename Owner>
-  bool number(const NumberField<Owner>& field, const NumberRow& row, Owner& owner);
-
-  NumberFields fields_;
-  SolidRow solid_;
-  std::optional<Result<std::vector<Material>>> materials_;  // set when the panel is first drawn
-};
-
 // Returns the piece whose sheet is shown: the first selected one, else the first body; nullopt in an empty
 // world.
-std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view) {
-  const auto selected = first_selected(view.look.pieces);
-  if (selected && world.contains(selected->body)) return selected;
+std::optional<PieceId> piece_of_sheet(const World& world, std::span<const PieceId> selected) {
+  if (!selected.empty() && world.contains(selected.front().body)) return selected.front();
   const std::vector<BodyId> bodies = world.ids();
   if (bodies.empty()) return std::nullopt;
   return PieceId{bodies.front(), 0};
@@ -187,16 +163,18 @@ std::optional<PieceId> piece_of_sheet(const World& world, const ViewState& view)
 
 // Limits the input to values that a journal can store. Lengths are stored in metres.
 template <typename Owner>
-bool MaterialPanel::number(const NumberField<Owner>& field, const NumberRow& row, Owner& owner) {
+bool number_row(NumberFields& fields, const NumberField<Owner>& field, const NumberRow& row, Owner& owner) {
   double shown = owner.*field.member / row.scale;
   const bool is_length = std::string_view(field.range.unit) == "m";
   const NumberUnit unit{is_length ? Quantity::kLength : Quantity::kPlain, row.scale};
   const NumberRange range{field.range.least / row.scale, field.range.most / row.scale};
-  if (!fields_.number(row.label, shown, row.format, row.tooltip, is_length ? unit : NumberUnit(), range))
+  if (!fields.number(row.label, shown, row.format, row.tooltip, is_length ? unit : NumberUnit(), range))
     return false;
   owner.*field.member = std::clamp(shown * row.scale, field.range.least, field.range.most);
   return true;
 }
+
+}  // namespace
 
 bool MaterialPanel::draw_presets(Sheet& sheet) {
   if (!materials_) materials_ = load_materials(assets_folder() / "materials.json");
@@ -224,37 +202,40 @@ bool MaterialPanel::draw_presets(Sheet& sheet) {
   return changed;
 }
 
-bool MaterialPanel::draw_constants(Substance& substance) {
-  bool changed = false;
-  for (const auto& [member, row] : kConstantRows) changed |= number(substance_field(member), row, substance);
-  return changed;
+void MaterialPanel::draw_numbers(SheetEdit& edit) {
+  Substance& substance = edit.after.substance;
+  const auto constant = [&](double Substance::*member, const NumberRow& row) {
+    if (number_row(fields_, substance_field(member), row, substance)) edit.constants.push_back(member);
+  };
+  edit.thickness = number_row(fields_, kThickness, kThicknessRow, edit.after);
+  constant(&Substance::density, kDensityRow);
+  if (edit.sets_density()) edit.after.density = substance.density;
+  if (!ImGui::TreeNode("Material Constants")) return;
+  if (begin_properties("constants")) {
+    for (const auto& [member, row] : kConstantRows) constant(member, row);
+    end_properties();
+  }
+  ImGui::TreePop();
 }
 
-bool MaterialPanel::draw_numbers(Sheet& sheet) {
-  bool changed = number(kThickness, kThicknessRow, sheet);
-  if (number(substance_field(&Substance::density), kDensityRow, sheet.substance)) {
-    sheet.density = sheet.substance.density;
-    changed = true;
-  }
-  if (ImGui::TreeNode("Material Constants")) {
-    if (begin_properties("constants")) {
-      changed |= draw_constants(sheet.substance);
-      end_properties();
-    }
-    ImGui::TreePop();
-  }
-  return changed;
+// A press in the viewport selects other pieces before a field that it leaves has reported its entry, which
+// belongs to the pieces before.
+const std::vector<PieceId>& MaterialPanel::pieces_of_fields(const Workspace& workspace) {
+  const auto exists = [&](const PieceId& piece) { return has_faces(workspace.world(), piece); };
+  if (!fields_.is_active() || !std::ranges::all_of(edited_, exists))
+    edited_ = selected_ids(workspace.view.look.pieces);
+  return edited_;
 }
 
 MaterialChange MaterialPanel::draw(const Workspace& workspace) {
-  MaterialChange change;
-  const auto piece = piece_of_sheet(workspace.world(), workspace.view);
+  MaterialChange change{.pieces = pieces_of_fields(workspace)};
+  const auto piece = piece_of_sheet(workspace.world(), change.pieces);
   if (!piece) {
     ImGui::TextDisabled("No file is open.");
     return change;
   }
   const Body& body = workspace.world().body(piece->body);
-  const size_t selected = selected_count(workspace.view.look.pieces);
+  const size_t selected = change.pieces.size();
   const std::string of = selected == 0 ? std::string("All pieces")
                          : selected == 1
                              ? name_of_piece(workspace.world(), workspace.view.look.pieces, *piece)
@@ -262,18 +243,19 @@ MaterialChange MaterialPanel::draw(const Workspace& workspace) {
   ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   draw_fitted_text(of, "Changes apply to the selected pieces, or to all if none is selected.");
   ImGui::PopStyleColor();
-  SheetEdit edit{body.sheet, body.sheet};
-  bool changed = false;
+  SheetEdit edit{.after = body.sheet};
   if (begin_properties("sheet")) {
     edit.preset = draw_presets(edit.after);
-    changed = draw_numbers(edit.after) || edit.preset;
+    draw_numbers(edit);
     change.solid = solid_.draw(workspace, *piece);
     if (body.solid) change.cut_material = draw_cut_material(body);
     end_properties();
   }
-  if (changed) change.sheet = edit;
+  if (edit.preset || edit.thickness || !edit.constants.empty()) change.sheet = edit;
   return change;
 }
+
+namespace {
 
 // Legible on colours::kPictureShade in both themes.
 constexpr ImU32 kPictureWarning = IM_COL32(0xff, 0x9d, 0x2e, 255);
@@ -311,25 +293,26 @@ class MaterialFeature : public Feature {
 
  private:
   void draw_heat() {
-    const auto piece = piece_of_sheet(workspace_.world(), workspace_.view);
+    const auto piece = piece_of_sheet(workspace_.world(), selected_ids(workspace_.view.look.pieces));
     heat_.draw(workspace_, piece ? workspace_.world().body(piece->body).sheet : Sheet(), aim_, watch_);
   }
   bool thermal() const { return workspace_.laser.model == Model::kThermal; }
   void draw_material() {
     const MaterialChange change = panel_.draw(workspace_);
     if (change.sheet) {
-      request_for_all("Set material", [this, edit = *change.sheet](const PieceId& p) {
+      request_for(change.pieces, "Set material", [this, edit = *change.sheet](const PieceId& p) {
         return SetSheetProperties{p, edit.applied_to(workspace_.world().body(p.body).sheet)};
       });
     }
     if (change.solid) {
-      request_for_all(*change.solid ? "Make solid" : "Make sheet", [solid = *change.solid](const PieceId& p) {
-        return SetSolid{p, solid};
-      });
+      request_for(change.pieces, *change.solid ? "Make solid" : "Make sheet",
+                  [solid = *change.solid](const PieceId& p) {
+                    return SetSolid{p, solid};
+                  });
     }
     if (!change.cut_material.empty()) {
-      request_for_all(
-          "Set cut material",
+      request_for(
+          change.pieces, "Set cut material",
           [material = change.cut_material](const PieceId& p) {
             return SetSolid{p, true, material};
           },
@@ -337,27 +320,27 @@ class MaterialFeature : public Feature {
     }
   }
   using CommandFor = std::function<Command(const PieceId&)>;
-  // Requests one change of the selected pieces, or of all; `solids`: only of solid ones.
-  void request_for_all(const char* name, const CommandFor& command, bool solids = false) {
-    workspace_.changes.enqueue(
-        {.name = name,
-         .run = [this, name, command, solids] { return change_all(name, command, solids), true; },
-         .is_one = true});
+  // Requests one change of the selected pieces, or of all if there are none; `solids`: only of solid ones.
+  void request_for(const std::vector<PieceId>& selected, const char* name, const CommandFor& command,
+                   bool solids = false) {
+    workspace_.changes.enqueue({.name = name,
+                                .run =
+                                    [this, selected, name, command, solids] {
+                                      change_all(pieces_to_change(selected, solids), name, command);
+                                      return true;
+                                    },
+                                .is_one = true});
   }
-  std::vector<PieceId> pieces_to_change(bool solids) const {
+  std::vector<PieceId> pieces_to_change(const std::vector<PieceId>& selected, bool solids) const {
     std::vector<PieceId> pieces;
-    const PieceMap& looks = workspace_.view.look.pieces;
-    const bool all = selected_count(looks) == 0;
-    for (const PieceRow& row : list_pieces(workspace_.world(), looks)) {
-      const auto look = looks.find(row.id);
-      const bool selected = look != looks.end() && look->second.selected;
+    for (const PieceRow& row : list_pieces(workspace_.world(), workspace_.view.look.pieces)) {
+      const bool is_meant = selected.empty() || std::binary_search(selected.begin(), selected.end(), row.id);
       const bool fits = !row.part && (!solids || workspace_.world().body(row.id.body).solid);
-      if (fits && (all || selected)) pieces.push_back(row.id);
+      if (fits && is_meant) pieces.push_back(row.id);
     }
     return pieces;
   }
-  void change_all(const char* name, const CommandFor& command, bool solids) {
-    std::vector<PieceId> pieces = pieces_to_change(solids);
+  void change_all(std::vector<PieceId> pieces, const char* name, const CommandFor& command) {
     if (pieces.empty()) return workspace_.message.error("Parts on joints have the material of their body.");
     cancel_stroke(workspace_);
     workspace_.changes.change(name, is_small(workspace_.session.document),
@@ -606,13 +589,16 @@ void LaserHeatRows::draw(Workspace& workspace, const Sheet& sheet, const std::op
   ImGui::PopStyleColor();
 }
 
+bool SheetEdit::sets_density() const {
+  return preset || std::ranges::find(constants, &Substance::density) != constants.end();
+}
+
 Sheet SheetEdit::applied_to(Sheet own) const {
-  if (after.thickness != before.thickness) own.thickness = after.thickness;
-  if (preset || after.density != before.density || after.substance.density != before.substance.density)
-    own.density = after.density;
+  if (thickness) own.thickness = after.thickness;
+  if (sets_density()) own.density = after.density;
+  for (double Substance::*member : constants) own.substance.*member = after.substance.*member;
   for (const NumberField<Substance>& field : kSubstanceFields) {
-    const double value = after.substance.*field.member;
-    if (preset || value != before.substance.*field.member) own.substance.*field.member = value;
+    if (preset) own.substance.*field.member = after.substance.*field.member;
   }
   return own;
 }

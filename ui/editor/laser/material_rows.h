@@ -2,9 +2,12 @@
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/document/document.h"
+#include "core/document/material_table.h"
 #include "core/heat/lumped_cut.h"
 #include "core/laser/laser.h"
 #include "core/mesh/files/mesh_format.h"
@@ -147,13 +150,16 @@ std::string energy_text(const World& world);
 // Depth of the last stroke where it hit a surface, or empty if it hit none: "Last cut reached 40 % depth".
 std::string depth_text(const StepStatistics& statistics);
 
-// An edit of a sheet; `preset`: a material was selected, which has all constants.
+// An edit of a sheet, of the members that were entered, even if the edited sheet already had these values.
 struct SheetEdit {
-  Sheet before, after;
-  bool preset = false;
+  Sheet after;
+  bool preset = false;  // a material was selected, which has all constants
+  bool thickness = false;
+  std::vector<double Substance::*> constants = {};
 
-  // Returns `own` with the members that the edit has changed.
+  // Returns `own` with the entered members.
   Sheet applied_to(Sheet own) const;
+  bool sets_density() const;
 };
 
 // Returns why a piece cannot be made solid with this laser, as a sentence, or null if it can.
@@ -183,6 +189,32 @@ class SolidRow {
 
  private:
   KnownClosed closed_;
+};
+
+// A change of the selected pieces, or of all if there are none.
+struct MaterialChange {
+  std::vector<PieceId> pieces;  // ascending
+  std::optional<SheetEdit> sheet = {};
+  std::optional<bool> solid = {};
+  std::string cut_material = {};  // empty: unchanged
+};
+
+// Edits the sheet of the selected pieces, or of all pieces if none is selected: material (from
+// assets/materials.json), thickness, constants, and solidity. Each change is one history entry and leaves the
+// other properties of each piece unchanged.
+class MaterialPanel {
+ public:
+  MaterialChange draw(const Workspace& workspace);
+
+ private:
+  const std::vector<PieceId>& pieces_of_fields(const Workspace& workspace);
+  bool draw_presets(Sheet& sheet);
+  void draw_numbers(SheetEdit& edit);
+
+  NumberFields fields_;
+  SolidRow solid_;
+  std::vector<PieceId> edited_;                             // pieces whose sheets the fields edit
+  std::optional<Result<std::vector<Material>>> materials_;  // set when the panel is first drawn
 };
 
 }  // namespace kerf

@@ -135,10 +135,17 @@ class EmitterFeature : public Feature {
                     [this] { emitter_.remove(); }, {.disabled_reason = no_emitter_reason}),
     };
   }
+  // Keeps members of the entry that the emitter does not have, such as the radius that the game writes.
   void keep() {
     nlohmann::json entry = emitter_entry(emitter_);
     if (entry == kept_) return;
-    set_head_entry(workspace_.session.scene, kEmitterKey, entry);
+    nlohmann::json whole = head_entry(workspace_.session.scene, kEmitterKey);
+    if (whole.is_object() && entry.is_object()) {
+      whole.update(entry);
+    } else {
+      whole = entry;
+    }
+    set_head_entry(workspace_.session.scene, kEmitterKey, whole);
     kept_ = std::move(entry);
   }
   // Moves or aims the emitter. If it fires, its beam follows each move of the pointer.
@@ -263,7 +270,9 @@ void Emitter::place(const Vec3& at, const Vec3& target) {
 Pose Emitter::pose() const { return {at_, beam_direction(target_ - at_)}; }
 
 void Emitter::move_to(const Vec3& at) {
-  if (at != target_) at_ = at;
+  if (at == target_) return;
+  held_at_ += at - at_;
+  at_ = at;
 }
 
 void Emitter::aim_at(const Vec3& target) {
@@ -286,7 +295,7 @@ void Emitter::drag(const PrimaryViewport& picture, Vec2 pointer, const std::opti
     const Vec3 axis = axis_of(held_);
     to += axis * dragged_along(picture.ray(pressed_at_), picture.ray(pointer), held_at_, axis);
   }
-  move_to(to);
+  if (to != target_) at_ = to;
 }
 
 void place_in_view(Emitter& emitter, const CameraView& view, const Vec3& target, double distance) {

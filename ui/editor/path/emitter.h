@@ -53,7 +53,8 @@ class Emitter {
   double distance() const { return glm::length(target_ - at_); }
   Pose pose() const;
 
-  // Moves the emitter and keeps its target, or changes the target. No-op if both would coincide.
+  // Moves the emitter and keeps its target, or changes the target. No-op if both would coincide. A drag in
+  // progress continues from the new position.
   void move_to(const Vec3& at);
   void aim_at(const Vec3& target);
 

@@ -187,6 +187,19 @@ TEST_F(PathToolTest, an_arrow_moves_the_emitter_along_its_axis_and_the_ring_aims
   EXPECT_EQ(emitter.target(), Vec3(0.5, 0.5, 0.5));
 }
 
+TEST_F(PathToolTest, a_position_typed_before_a_drag_of_the_emitter_is_where_the_drag_begins) {
+  Emitter emitter;
+  emitter.place({0, 0, 2}, {0, 0, 1});
+  const PrimaryViewport picture(view);
+  const Vec2 pressed = *picture.place_of(emitter.at());
+  emitter.take(EmitterHandle::Part::kBody, pressed);  // the press that ends the entry
+  emitter.move_to({1, 0, 2});
+  emitter.drag(picture, pressed, std::nullopt);
+  EXPECT_EQ(emitter.at(), Vec3(1, 0, 2));
+  emitter.drag(picture, pressed + Vec2(0, 20), std::nullopt);
+  EXPECT_GT(emitter.at().x, 0.5);
+}
+
 TEST(Emitter, never_coincides_with_its_target) {
   Emitter emitter;
   emitter.place({0, 1, 0}, {0, 0, 0});

@@ -30,23 +30,29 @@ void draw_projected(const ProjectedLine& line, const std::vector<char>& hidden, 
                     const PrimaryViewport& picture, ImDrawList& list) {
   const ImU32 faint = (colour & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
   std::vector<ImVec2> run;
+  size_t begin = 0;  // index of its first point
   bool run_hidden = false;
-  const double width = 2 * radius * picture.em() / picture.metres_of_em(line.points.front());
+  const auto add = [&](size_t i, const Vec2& place) {
+    if (run.empty()) begin = i;
+    run.push_back(to_im(place));
+  };
   const auto end_run = [&] {
     if (run.size() < 2) return;
+    const Vec3& middle = line.points[begin + run.size() / 2];
+    const double width = 2 * radius * picture.em() / picture.metres_of_em(middle);
     if (line.on_surface && !run_hidden) return draw_run(run, colour, width, list);
     list.AddPolyline(run.data(), static_cast<int>(run.size()), faint, 0, 1.2f);
   };
   for (size_t i = 0; i < line.points.size(); ++i) {
     const auto place = picture.place_of(line.points[i]);
-    if (place) run.push_back(to_im(*place));
+    if (place) add(i, *place);
     if (place && (run.size() == 1 || (hidden[i] != 0) == run_hidden)) {
       run_hidden = hidden[i] != 0;
       continue;
     }
     end_run();
     run.clear();
-    if (place) run.push_back(to_im(*place));
+    if (place) add(i, *place);
     run_hidden = hidden[i] != 0;
   }
   end_run();

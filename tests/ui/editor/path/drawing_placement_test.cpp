@@ -1,6 +1,7 @@
 #include "ui/editor/path/drawing_placement.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 #include <algorithm>
 
 #include "core/base/random.h"
@@ -8,6 +9,7 @@
 #include "tests/support/made_meshes.h"
 #include "ui/editor/path/drawing_preview.h"
 #include "ui/editor/path/uncut_lines.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 namespace {
@@ -132,6 +134,38 @@ TEST(DrawingPlacement, lines_break_where_the_surface_does) {
   for (const Vec3& p : parts[2].points) EXPECT_NEAR(p.y, 0.3, 1e-15);
   EXPECT_NEAR(parts[1].points.front().x, -1, 0.01);
   EXPECT_NEAR(parts[2].points.front().x, 0, 0.01);
+}
+
+TEST(DrawingPreview, a_line_that_begins_behind_the_eye_is_as_wide_as_the_beam) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().DisplaySize = {1000, 700};
+  ImGui::GetIO().Fonts->Build();
+  ImGui::NewFrame();
+  const World world = world_with(test::grid(7, 2));
+  ViewState view;
+  view.layout = lay_out({1000, 700}, 16, 26, 26);
+  view.camera.look({0, 0.3, 0}, {1, 0, 0});
+  view.camera.finish();
+  const PrimaryViewport picture(view);
+  std::vector<Vec2> corners{{-0.4, -0.4}, {0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}};
+  for (int first = 0; first < 4; ++first) {
+    ImportedDrawing drawing;
+    drawing.job.drawing.lines = {{corners, true, ""}};
+    drawing.box = {{-0.4, -0.4}, {0.4, 0.4}};
+    DrawingPreview preview;
+    preview.update(drawing, placed(DrawingMode::kPlane, picture.camera(), Vec3(0)), world, picture);
+    const auto vertices = [&](double radius) {
+      ImDrawList& list = *ImGui::GetBackgroundDrawList();
+      const int before = list.VtxBuffer.Size;
+      preview.draw(drawing, {}, radius, picture, list);
+      return list.VtxBuffer.Size - before;
+    };
+    EXPECT_GT(vertices(0.02), vertices(0)) << "from corner " << first;
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  }
+  ImGui::EndFrame();
+  ImGui::DestroyContext();
 }
 
 TEST(DrawingPlacement, the_beam_of_a_plane_starts_near_its_surface_and_that_of_an_axis_outside_everything) {

@@ -214,6 +214,20 @@ class Pieces(WindowTest):
         report = editor.quit()
         self.assertEqual((report["pieces"], report["specks"]), (13, 12))
 
+    def test_the_eye_of_the_specks_hides_and_shows_them_and_keeps_the_selection(self):
+        self.open(SPHERE).quit()
+        self.only_panel("pieces")
+        editor = self.open_again(self.comb_without_teeth())
+        editor.wait_for_title("comb.kerf - Kerf")
+        editor.click("piece comb", 0.5, 0.5)
+        for hidden in (12, 0):
+            editor.click("eye specks", 0.5, 0.5)
+            editor.settle()
+            report = editor.ask("report")
+            self.assertEqual((report["pieces_hidden"], report["pieces_chosen"]), (hidden, 1))
+        editor.do("ctrl", "z")
+        self.assertEqual(editor.quit()["messages"][-1], "Undo: Show specks")
+
     def double_click_for(self, editor, part, *point):
         """Double clicks until the part is there. On a busy machine two clicks may come too far apart to be one."""
         editor.point_at(*point)

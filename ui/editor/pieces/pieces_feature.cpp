@@ -407,8 +407,7 @@ class PiecesFeature : public Feature {
   }
 
   void draw_list() {
-    list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces),
-               [this] { request_hide(); });
+    list_.draw(workspace_, list_pieces(workspace_.world(), workspace_.view.look.pieces));
     draw_buttons();
     draw_measures(measures_.follow(workspace_.session.document, workspace_.view.look.pieces),
                   workspace_.view.frame.unit);

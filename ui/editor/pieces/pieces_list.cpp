@@ -189,10 +189,17 @@ std::vector<Listed> rows_to_list(const SortedPieces& sorted, bool specks_unfolde
   return listed;
 }
 
-void select_only(ViewState& view, const std::vector<PieceRow>& rows) {
-  deselect_all(view.look.pieces);
-  for (const PieceRow& row : rows) select_piece(view.look.pieces, row.id, true);
-  view.picture_old = true;
+void request_specks(Workspace& workspace, const std::vector<PieceId>& specks, bool hide) {
+  const char* name = hide ? "Hide specks" : "Show specks";
+  const auto run = [&workspace, specks, name, hide] {
+    cancel_stroke(workspace);
+    workspace.changes.change(name, is_small(workspace.session.document),
+                             edit_all(specks, [hide](const PieceId& piece) {
+                               return HidePiece{piece, hide};
+                             }));
+    return true;
+  };
+  workspace.changes.enqueue({.name = name, .run = run, .is_one = true});
 }
 
 }  // namespace
@@ -375,15 +382,17 @@ void PiecesList::draw_row(Workspace& workspace, const PieceRow& row, bool is_fol
   ImGui::PopID();
 }
 
-void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& specks,
-                             const HideChosen& hide_selected) {
+void PiecesList::draw_specks(Workspace& workspace, const std::vector<PieceRow>& specks) {
   size_t faces = 0;
   double area = 0;
   bool selected = false;
+  std::vector<PieceId> shown, hidden;
   for (const PieceRow& row : specks) {
+    const PieceLook look = look_of(workspace.view, row.id);
     faces += row.faces;
     area += row.area;
-    selected = selected || look_of(view, row.id).selected;
+    selected = selected || look.selected;
+    (look.hidden ? hidden : shown).push_back(row.id);
   }
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -395,18 +404,17 @@ void PiecesList::draw_specks(ViewState& view, const std::vector<PieceRow>& speck
   if (selected) ImGui::PopStyleColor();
   mark_last_item("specks");
   tooltip("Pieces smaller than an eighth of the beam's cross-section when cut off. Click to list them.");
-  draw_statistics(faces, area, view.frame.unit);
-  if (eye_switch(true, "Hides all specks; the beam does not cut them.")) {
-    select_only(view, specks);
-    hide_selected();
-  }
+  draw_statistics(faces, area, workspace.view.frame.unit);
+  const bool hides = !shown.empty();
+  if (eye_switch(hides, hides ? "Hides all specks; the beam does not cut them." : "Shows all specks again."))
+    request_specks(workspace, hides ? shown : hidden, hides);
+  mark_last_item("eye specks");
 }
 
-void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted,
-                           const HideChosen& hide_selected) {
+void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted) {
   const std::vector<Listed> listed = rows_to_list(sorted, specks_unfolded_);
   const auto draw_one = [&](const Listed& each) {
-    if (each.row == nullptr) return draw_specks(workspace.view, sorted.specks, hide_selected);
+    if (each.row == nullptr) return draw_specks(workspace, sorted.specks);
     draw_row(workspace, *each.row, each.is_folded);
   };
   // A field that needs the focus must be drawn even if it is scrolled out of view.
@@ -417,8 +425,7 @@ void PiecesList::draw_rows(Workspace& workspace, const SortedPieces& sorted,
   draw_rows_in_sight(listed.size(), [&](size_t i) { draw_one(listed[i]); });
 }
 
-void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
-                      const HideChosen& hide_selected) {
+void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows) {
   constexpr ImGuiTableFlags kList = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                     ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_Sortable;
   SortedPieces sorted = separate_specks(rows, specks(workspace.session.document));
@@ -428,7 +435,7 @@ void PiecesList::draw(Workspace& workspace, const std::vector<PieceRow>& rows,
   if (!ImGui::BeginTable("pieces", 4, kList, {0, height})) return;
   set_up_columns(rows, workspace.view.frame.unit);
   sort_by_header(sorted);
-  draw_rows(workspace, sorted, hide_selected);
+  draw_rows(workspace, sorted);
   ImGui::EndTable();
 }
 

@@ -48,12 +48,10 @@ float width_of_switches();
 
 // Table of the pieces. A click selects a piece; a double click edits its name in place: Enter renames it,
 // Esc cancels. Its eye hides or shows it, its pin fixes or releases it. Specks share one row, which a click
-// unfolds.
+// unfolds; its eye is open while one of them is visible, and hides or shows all.
 class PiecesList {
  public:
-  using HideChosen = std::function<void()>;
-
-  void draw(Workspace& workspace, const std::vector<PieceRow>& rows, const HideChosen& hide_selected);
+  void draw(Workspace& workspace, const std::vector<PieceRow>& rows);
   // Makes the next draw() edit the name of this piece.
   void rename(const PieceId& piece) {
     asked_ = piece;
@@ -67,9 +65,9 @@ class PiecesList {
   void end_hidden_edit(Workspace& workspace);
 
  private:
-  void draw_rows(Workspace& workspace, const SortedPieces& sorted, const HideChosen& hide_selected);
+  void draw_rows(Workspace& workspace, const SortedPieces& sorted);
   void draw_row(Workspace& workspace, const PieceRow& row, bool is_folded);
-  void draw_specks(ViewState& view, const std::vector<PieceRow>& specks, const HideChosen& hide_selected);
+  void draw_specks(Workspace& workspace, const std::vector<PieceRow>& specks);
   void draw_name(ViewState& view, const PieceRow& row, const PieceLook& look);
   void draw_switches(WorldChanges& changes, const PieceRow& row, bool hidden);
   void begin_rename(const PieceRow& row);

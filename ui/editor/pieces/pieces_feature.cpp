@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <set>
 
 #include "core/base/assert.h"
@@ -66,14 +67,6 @@ std::string materials_text(const Extract& extract, const std::vector<std::string
     looks.push_back({names[material], {to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)}, paint.gloss});
   }
   return encode_mtl(looks);
-}
-
-std::vector<FaceId> faces_of(const Body& body, uint32_t label) {
-  std::vector<FaceId> faces;
-  for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
-    if (body.mesh.is_live(FaceId(f)) && body.mesh.data(FaceId(f)).piece == label) faces.emplace_back(f);
-  }
-  return faces;
 }
 
 const SurfaceLibrary* surfaces_of(const Body& body) {
@@ -141,7 +134,7 @@ class PieceWriter {
     Piece(PieceWriter& writer, const PieceFile& to) : mtl(to.mtl.filename().string()) {
       const Body& body = writer.world_.body(to.piece.body);
       const MeshFormat format = writer.format_;
-      const std::vector<FaceId> faces = faces_of(body, to.piece.label);
+      const std::vector<FaceId>& faces = writer.faces_of(to.piece);
       extract = extract_faces(body, faces);
       view = {extract.positions, extract.triangles, extract.materials, body.material_names, mtl,
               to.name,           extract.colours};
@@ -160,12 +153,25 @@ class PieceWriter {
     Piece& operator=(const Piece&) = delete;
   };
 
+  // Lists the faces of all pieces of a body when the first one is written.
+  const std::vector<FaceId>& faces_of(const PieceId& piece) {
+    std::vector<std::vector<FaceId>>& pieces = faces_[piece.body];
+    const Body& body = world_.body(piece.body);
+    const bool is_new = pieces.empty();
+    pieces.resize(body.pieces.size());
+    for (uint32_t f = 0; is_new && f < body.mesh.face_slots(); ++f) {
+      if (body.mesh.is_live(FaceId(f))) pieces[body.mesh.data(FaceId(f)).piece].emplace_back(f);
+    }
+    return pieces[piece.label];
+  }
+
   const World& world_;
   const std::map<std::string, Paint>& paints_;
   MeshFormat format_;
   SurfaceFiles surfaces_;
   PrecisionLoss precision_;
   LostLooks lost_;
+  std::map<BodyId, std::vector<std::vector<FaceId>>> faces_;  // by label
 };
 
 constexpr double kSpreadStep = 0.25, kMaxSpread = 1.5;

@@ -17,6 +17,7 @@
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/piece_set.h"
 #include "ui/render/view/view_options.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 namespace {
@@ -143,6 +144,26 @@ TEST_F(Actions, alternative_keys_run_the_same_action) {
   EXPECT_EQ(first_selected(looks), PieceId(workspace.world().ids().back(), 0));
   find_action(actions, "pieces.select_similar")->run();
   EXPECT_EQ(selected_count(looks), 1u);  // the area of the other sphere is a fourth
+}
+
+TEST_F(Actions, framing_fits_the_pieces_where_an_exploded_view_shows_them) {
+  World world;
+  for (const double x : {-1, 1}) {
+    Body ball = make_body("ball", test::build(test::sphere(8, 12, 1)));
+    ball.placement.position.x = x;
+    world.add(std::move(ball));
+  }
+  workspace.session.document = Document(std::move(world));
+  ViewState& view = workspace.view;
+  view.layout = lay_out({1000, 700}, 16, 26, 26);
+  const auto distance = [&](const std::string& action, double spread) {
+    spread_pieces(workspace.world(), spread, view.look);
+    find_action(actions, action)->run();
+    view.camera.finish();
+    return glm::length(view.seen_first().eye - view.camera.pivot());
+  };
+  for (const char* action : {"view.frame_all", "view.frame_selected"})
+    EXPECT_GT(distance(action, 1.5), 1.2 * distance(action, 0)) << action;
 }
 
 TEST_F(Actions, paste_needs_a_copied_piece_that_exists) {

@@ -484,8 +484,8 @@ class PiecesFeature : public Feature {
     });
   }
   void frame_selected() {
-    Bounds bounds = selected_bounds(workspace_.world(), workspace_.view.look.pieces);
-    if (bounds.is_none()) bounds = workspace_.world().bounds();
+    Bounds bounds = selected_bounds(workspace_.world(), workspace_.view.look);
+    if (bounds.is_none()) bounds = drawn_bounds(workspace_.world(), workspace_.view.look);
     workspace_.view.camera.frame(bounds, workspace_.view.aspect());
   }
   const char* paste_disabled_reason() const {

@@ -8,6 +8,7 @@
 #include "core/document/extract.h"
 #include "core/edit/separation.h"
 #include "core/joints/joined_parts.h"
+#include "ui/render/bodies/body_picture.h"
 
 namespace kerf {
 
@@ -133,19 +134,31 @@ std::optional<PieceId> first_selected(const PieceMap& looks) {
   return std::nullopt;
 }
 
-Bounds selected_bounds(const World& world, const PieceMap& looks) {
+static Bounds bounds_as_drawn(const World& world, const ViewOptions& options, bool only_selected) {
   Bounds bounds = Bounds::none();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
+    const BodyLooks looks(id, body, options);
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (!body.mesh.is_live(FaceId(f))) continue;
-      const auto look = looks.find({id, body.mesh.data(FaceId(f)).piece});
-      if (look == looks.end() || !look->second.selected) continue;
+      const PieceLook& look = looks.of(body.mesh, FaceId(f));
+      if (only_selected && !look.selected) continue;
       for (const Vec3& corner : body.mesh.triangle(FaceId(f)))
-        bounds.add(look->second.turn * body.placement.to_world(corner) + look->second.offset);
+        bounds.add(look.turn * body.placement.to_world(corner) + look.offset);
     }
   }
   return bounds;
+}
+
+Bounds selected_bounds(const World& world, const ViewOptions& options) {
+  return bounds_as_drawn(world, options, true);
+}
+
+Bounds drawn_bounds(const World& world, const ViewOptions& options) {
+  const bool any_displaced =
+      std::ranges::any_of(options.pieces, [](const auto& entry) { return entry.second.is_away(); });
+  const Bounds bounds = any_displaced ? bounds_as_drawn(world, options, false) : Bounds::none();
+  return bounds.is_none() ? world.bounds() : bounds;
 }
 
 std::vector<PieceId> hidden_pieces(const PieceMap& looks) {

@@ -60,7 +60,10 @@ const char* no_selection_reason(const PieceMap& looks);
 std::optional<PieceId> first_selected(const PieceMap& looks);
 // Returns the bounds of the selected pieces in world space, at the places where they are drawn;
 // Bounds::none() if they have no faces. O(faces).
-Bounds selected_bounds(const World& world, const PieceMap& looks);
+Bounds selected_bounds(const World& world, const ViewOptions& options);
+// Returns the bounds of all pieces at the places where they are drawn; those of the world unless a piece is
+// displaced. O(bodies + pieces), or O(faces) if one is.
+Bounds drawn_bounds(const World& world, const ViewOptions& options);
 std::vector<PieceId> hidden_pieces(const PieceMap& looks);
 // Returns the pieces that are neither hidden nor selected.
 std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks);

@@ -12,6 +12,7 @@
 #include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/gizmo.h"
 #include "ui/editor/shared/panel_rows.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/user_input.h"
 #include "ui/editor/shared/viewport_pointer.h"
 #include "ui/editor/view/lights.h"
@@ -424,10 +425,12 @@ class ViewFeature : public Feature {
   }
   std::vector<UserAction> camera_actions() {
     std::vector<UserAction> actions{
-        make_action(
-            "view.frame_all", "Frame All", "Home",
-            "Fits the scene in the viewport and keeps the direction of view.",
-            [this] { workspace_.view.camera.frame(workspace_.world().bounds(), workspace_.view.aspect()); }),
+        make_action("view.frame_all", "Frame All", "Home",
+                    "Fits the scene in the viewport and keeps the direction of view.",
+                    [this] {
+                      ViewState& view = workspace_.view;
+                      view.camera.frame(drawn_bounds(workspace_.world(), view.look), view.aspect());
+                    }),
         make_action("view.reset_overlays", "Reset Overlays", "",
                     "Turns off all overlays and debug views and restores the shadows.",
                     [this] {

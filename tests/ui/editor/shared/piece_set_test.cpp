@@ -111,11 +111,11 @@ TEST_F(CutSphere, the_bounds_of_the_selection_are_those_of_its_drawn_places) {
   const PieceId half = list_pieces(world)[1].id;
   ViewOptions look;
   select_piece(look.pieces, half, false);
-  const Bounds in_place = selected_bounds(world, look.pieces);
+  const Bounds in_place = selected_bounds(world, look);
   spread_pieces(world, 0.5, look);
   const Vec3 offset = look.pieces[half].offset;
   ASSERT_NE(offset, Vec3(0));
-  const Bounds apart = selected_bounds(world, look.pieces);
+  const Bounds apart = selected_bounds(world, look);
   const double size = in_place.diagonal();
   EXPECT_LT(glm::length(apart.min - (in_place.min + offset)), 1e-12 * size);
   EXPECT_LT(glm::length(apart.max - (in_place.max + offset)), 1e-12 * size);

@@ -34,6 +34,17 @@ class Graph(WindowTest):
         self.assertTrue(graph["face_lit"])
         self.assertEqual((graph["removed"], graph["reached"]), (0, graph["total"]))
 
+    def test_a_face_that_no_node_shows_is_reported_until_the_graph_changes(self):
+        editor = self.open_graph()
+        editor.click("graph find", 0.5, 0.5)
+        editor.type("9999999")
+        editor.do("Return")
+        editor.part("graph face missing")
+        editor.drag([(0.2, 0.5), (0.8, 0.5)])
+        editor.settle()
+        self.assertNotIn("graph face missing", editor.landmarks()["parts"])
+        self.assertGreater(editor.quit()["graph"]["removed"], 0)
+
     def middle_of(self, editor, part):
         x, y, width, height = editor.part(part)
         return x + 0.5 * width, y + 0.5 * height

@@ -60,8 +60,8 @@ class GraphPanel {
   GraphCanvas canvas_;
   size_t framed_ = 0;  // number() of the graph framed last
   bool pieces_shown_ = false;
-  std::array<char, 12> typed_{};  // number of the face to find
-  bool found_ = true;             // false: no node shows it
+  std::array<char, 12> typed_{};      // number of the face to find
+  std::optional<size_t> missing_in_;  // number() of a graph of which no node shows it
   std::vector<PieceTreeRow> rows_;
   std::optional<PiecesKey> rows_of_;  // nullopt: the rows were not computed
 };
@@ -368,7 +368,7 @@ void GraphPanel::forget() {
   rows_.clear();
   rows_of_.reset();
   typed_ = {};
-  found_ = true;
+  missing_in_.reset();
 }
 
 // Draws the reason for the missing graph.
@@ -392,13 +392,13 @@ void GraphPanel::find_row(GraphState& graph, const Document& document) {
   mark_last_item("graph find");
   tooltip("Zooms to the node of the face with this number, and starts the traversal there.");
   if (!entered) return;
-  found_ = false;
+  missing_in_ = graph.number();
   const std::optional<FaceId> face = face_of_text(typed_.data());
   if (!face) return;
   for (const BodyId body : document.world().ids()) {
     const std::optional<uint32_t> node = graph.node_of({body, *face});
     if (!node || graph.drawn()->nodes[*node].removed) continue;
-    found_ = true;
+    missing_in_.reset();
     graph.start_from(*node);
     canvas_.show_start();
     return;
@@ -422,7 +422,10 @@ void GraphPanel::draw_rows_of_faces(GraphState& graph, const Document& document,
   traversal_row(graph);
   if (graph.removed() > 0) removals_row(graph, view);
   end_properties();
-  if (!found_) secondary_text("No node of this graph shows that face.");
+  if (missing_in_ == graph.number()) {
+    secondary_text("No node of this graph shows that face.");
+    mark_last_item("graph face missing");
+  }
   draw_verdict(graph);
 }
 

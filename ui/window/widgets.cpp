@@ -283,6 +283,12 @@ bool begin_fitted_combo(const char* id, const std::string& preview) {
   return ImGui::BeginCombo(id, fitted_text(preview, room).c_str());
 }
 
+// ImGui draws nothing for a carriage return.
+std::string whole_label(std::string text) {
+  for (size_t at = 0; (at = text.find("##", at)) != std::string::npos; at += 2) text.insert(at + 1, 1, '\r');
+  return text.ends_with('#') ? text + '\r' : text;
+}
+
 void draw_fitted_text(const std::string& text, const char* meaning, float width) {
   const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
   const std::string fitted = fitted_text(text, room);

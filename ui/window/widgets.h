@@ -43,6 +43,9 @@ std::string visible_part(const std::string& label);
 // ImGui::BeginCombo() with the selected value fitted into it.
 bool begin_fitted_combo(const char* id, const std::string& preview);
 
+// Returns a label that shows the whole text: ImGui hides "##" and what follows it. An "##id" may be appended.
+std::string whole_label(std::string text);
+
 // Draws an item with the text, fitted into `width`, or into the rest of the row if that is 0. A shortened
 // text begins the tooltip in full. `meaning` is the rest of the tooltip, and may be null.
 void draw_fitted_text(const std::string& text, const char* meaning = nullptr, float width = 0);

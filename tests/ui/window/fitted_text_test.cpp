@@ -1,6 +1,7 @@
 #include "ui/window/widgets.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <array>
 
@@ -68,6 +69,21 @@ TEST(ProgressText, reaches_100_percent_at_no_time) {
   EXPECT_EQ(progress_text(0.4), "40 %");
   EXPECT_EQ(progress_text(0.999), "99 %");
   EXPECT_EQ(progress_text(1), "99 %");
+}
+
+TEST(WholeLabel, is_as_wide_as_its_text) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().DisplaySize = {400, 300};
+  ImGui::GetIO().Fonts->Build();
+  ImGui::NewFrame();
+  for (const char* text : {"plate.stl", "plate ##2.stl", "###.obj", "a####", "#"}) {
+    const float width = ImGui::CalcTextSize(text).x;
+    for (const char* id : {"", "##id", "###id"})
+      EXPECT_EQ(ImGui::CalcTextSize((whole_label(text) + id).c_str(), nullptr, true).x, width) << text << id;
+  }
+  ImGui::EndFrame();
+  ImGui::DestroyContext();
 }
 
 TEST(FieldText, is_truncated_at_a_whole_character) {

@@ -146,7 +146,8 @@ std::string draw_cut_material(const Body& body) {
     return selected;
   }
   for (const std::string& name : body.material_names) {
-    if (!name.empty() && ImGui::Selectable(name.c_str(), name == body.cut_material)) selected = name;
+    if (!name.empty() && ImGui::Selectable(whole_label(name).c_str(), name == body.cut_material))
+      selected = name;
   }
   ImGui::EndCombo();
   return selected;

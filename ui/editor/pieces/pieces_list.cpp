@@ -333,7 +333,7 @@ void PiecesList::draw_name(ViewState& view, const PieceRow& row, const PieceLook
   if (look.selected) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (look.hidden) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::string label = shortened(row.name, room) + "###name";
+  const std::string label = whole_label(shortened(row.name, room)) + "###name";
   const bool clicked =
       ImGui::Selectable(label.c_str(), look.selected, ImGuiSelectableFlags_AllowDoubleClick, {room, 0});
   if (look.hidden) ImGui::PopStyleColor();

@@ -240,7 +240,7 @@ void draw_entry(FileBrowser& b, size_t place, const FileBrowser::Entry& entry, b
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(place));
-  const std::string label = entry.folder ? entry.name + "/" : entry.name;
+  const std::string label = whole_label(entry.folder ? entry.name + "/" : entry.name);
   constexpr ImGuiSelectableFlags kRow = ImGuiSelectableFlags_SpanAllColumns |
                                         ImGuiSelectableFlags_AllowDoubleClick |
                                         ImGuiSelectableFlags_DontClosePopups;

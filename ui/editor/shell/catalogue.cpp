@@ -195,7 +195,7 @@ void draw_action(const UserAction& action) {
   KERF_ASSERT(action.run);
   const bool checked = action.checked && action.checked();
   const char* disabled_reason = action.objection();
-  const std::string name = action.menu_name ? action.menu_name() : action.name;
+  const std::string name = whole_label(action.menu_name ? action.menu_name() : action.name);
   if (ImGui::MenuItem(name.c_str(), action.shortcut.c_str(), checked, disabled_reason == nullptr))
     action.run();
   if (disabled_reason != nullptr) return tooltip(disabled_reason);

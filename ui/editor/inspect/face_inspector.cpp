@@ -80,12 +80,12 @@ Plot plot_of(const std::vector<HeatProbe::Sample>& samples, ImVec2 at, ImVec2 si
 
 void draw_edges(const ViewState& view, const Body& body, const Pick& pick, ImDrawList& list) {
   const Triangle t = body.mesh.triangle(pick.face);
-  const auto look = view.look.pieces.find({pick.body, body.mesh.data(pick.face).piece});
-  const Vec3 offset = look != view.look.pieces.end() ? look->second.offset : Vec3(0);
+  const BodyLooks looks(pick.body, body, view.look);
+  const PieceLook& look = looks.of(body.mesh, pick.face);
   const PrimaryViewport picture(view);
   std::array<ImVec2, 3> corners;
   for (size_t i = 0; i < 3; ++i) {
-    const auto at = picture.place_of(body.placement.to_world(t[i]) + offset);
+    const auto at = picture.place_of(look.turn * body.placement.to_world(t[i]) + look.offset);
     if (!at) return;
     corners[i] = to_im(*at);
   }

@@ -1,6 +1,7 @@
 #include "ui/editor/inspect/face_inspector.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <cmath>
 
@@ -11,9 +12,13 @@
 #include <set>
 
 #include "core/base/random.h"
+#include "core/joints/joined_parts.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/pieces/piece_placement.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/editor/shared/viewport_pointer.h"
+#include "ui/window/layout.h"
+#include "ui/window/widgets.h"
 
 namespace kerf {
 namespace {
@@ -65,6 +70,43 @@ TEST(FaceFacts, are_listed_with_border_edges_and_non_manifold_edges_named) {
   EXPECT_NE(all.find("boundary"), std::string::npos) << all;
   EXPECT_NE(all.find("fan 7"), std::string::npos) << all;
   EXPECT_NE(all.find("90.0"), std::string::npos) << all;
+}
+
+TEST(FaceReadout, outlines_a_loose_part_where_an_exploded_view_shows_it) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().DisplaySize = {1000, 700};
+  ImGui::GetIO().Fonts->Build();
+  ImGui::NewFrame();
+  keep_landmarks(nullptr);
+  Workspace workspace;
+  World world;
+  const BodyId id = world.add(make_body("plate", test::build(test::plate(1))));
+  const size_t faces = world.body(id).mesh.face_slots();
+  workspace.session.document = Document(std::move(world));
+  ViewState& view = workspace.view;
+  view.layout = lay_out({1000, 700}, 16, 26, 26);
+  view.camera.look({0.5, 3, 1}, {0.5, 0, 0});
+  view.camera.finish();
+  const Vec3 offset(0.75, 0, 0);  // of the piece with which the plate, a loose part of another one, moves
+  view.look.pieces[{id, 1}].offset = offset;
+  view.look.groups[id] =
+      std::make_shared<const PieceGroups>(PieceGroups{{{0, 1}}, std::vector<uint32_t>(faces, 1), {Vec3(0)}});
+  const PrimaryViewport viewport(view);
+  workspace.input.tool = kInspectTool;
+  workspace.input.pointer = *viewport.place_of(offset + Vec3(0.1, 0, 0.05));
+  workspace.input.viewport_hovered = true;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  inspect_feature(workspace)->draw_overlay(list);
+  const auto is_drawn = [&](const Vec3& corner) {
+    const Vec2 place = *viewport.place_of(corner + offset);
+    return std::any_of(list.VtxBuffer.begin(), list.VtxBuffer.end(),
+                       [&](const ImDrawVert& v) { return glm::length(Vec2(v.pos.x, v.pos.y) - place) < 8; });
+  };
+  const Triangle t = workspace.world().body(id).mesh.triangle(FaceId(0));
+  EXPECT_GE(std::ranges::count_if(t, is_drawn), 2) << "the other face shares two corners";
+  ImGui::EndFrame();
+  ImGui::DestroyContext();
 }
 
 TEST(HeatProbe, records_with_other_tools_in_the_temperature_view_only) {

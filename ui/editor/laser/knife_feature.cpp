@@ -92,8 +92,8 @@ class DrawnLine : public Interaction {
     line_.follow(from_, false);
     to_ = line_.follow(workspace_.input.pointer, (event.mods & GLFW_MOD_SHIFT) != 0);
   }
-  void release(const InputEvent& event) override {
-    if (event.button != GLFW_MOUSE_BUTTON_LEFT || !(glm::length(to_ - from_) > kClickReach)) return;
+  void release(const InputEvent&) override {
+    if (!(glm::length(to_ - from_) > kClickReach)) return;
     const ViewState& view = workspace_.view;
     request_cut(workspace_, plane_through(camera_, view.in_picture(from_), view.in_picture(to_)));
   }
@@ -131,8 +131,8 @@ class DrawnLasso : public Interaction {
     const Vec2 at = workspace_.input.pointer;
     if (at != points_.back()) points_.push_back(at);
   }
-  void release(const InputEvent& event) override {
-    if (event.button != GLFW_MOUSE_BUTTON_LEFT || !is_drag()) return;
+  void release(const InputEvent&) override {
+    if (!is_drag()) return;
     std::vector<Vec2> loop = largest_loop(simplified(points_, kPixel, true));
     if (loop.empty()) return workspace_.message.info("The lasso encloses nothing.");
     for (Vec2& p : loop) p = workspace_.view.in_picture(p);

@@ -216,9 +216,7 @@ class DrawnStroke : public Interaction {
                          workspace_.view.in_picture(line_.follow(workspace_.input.pointer, shift)),
                          2 / workspace_.view.pane().size.y, event.seconds);
   }
-  void release(const InputEvent& event) override {
-    if (event.button == GLFW_MOUSE_BUTTON_LEFT) cancel_stroke(workspace_);
-  }
+  void release(const InputEvent&) override { cancel_stroke(workspace_); }
   bool over() const override { return !workspace_.beam.cutting(); }
   bool cuts() const override { return true; }
   const char* words() const override { return "Cutting... release to finish, Esc to stop, Shift for a line"; }

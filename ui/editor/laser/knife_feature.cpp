@@ -277,6 +277,7 @@ class KnifeFeature : public Feature {
     switch (event.button) {
       case GLFW_KEY_ENTER:
       case GLFW_KEY_KP_ENTER:
+        if (event.again) return false;  // it may be held from a dialog
         polyline_.finish(false);
         return true;
       case GLFW_KEY_BACKSPACE:

@@ -69,7 +69,8 @@ class DrawingFeature : public Feature {
   bool handle_event(const InputEvent& event, bool) override {
     const bool is_enter = event.button == GLFW_KEY_ENTER || event.button == GLFW_KEY_KP_ENTER;
     if (event.kind != InputEvent::Kind::kKey || !is_enter || !is_shown()) return false;
-    if ((event.mods & GLFW_MOD_CONTROL) != 0 || !are_keys_free()) return false;
+    // A key that is still held from the dialog that opened the drawing must not cut it.
+    if (event.again || (event.mods & GLFW_MOD_CONTROL) != 0 || !are_keys_free()) return false;
     request_drawing_cut();
     return true;
   }

@@ -275,6 +275,9 @@ TEST(KnifeFeature, keys_of_a_popup_and_with_ctrl_leave_the_polyline) {
     return knife->handle_event({InputEvent::Kind::kKey, workspace.input.pointer, key, mods}, false);
   };
   EXPECT_FALSE(takes(GLFW_KEY_ENTER, GLFW_MOD_CONTROL));  // runs the path
+  InputEvent held{InputEvent::Kind::kKey, workspace.input.pointer, GLFW_KEY_ENTER};
+  held.again = true;
+  EXPECT_FALSE(knife->handle_event(held, false)) << "held from a dialog";
   EXPECT_TRUE(takes(GLFW_KEY_BACKSPACE, 0));
   ImGui::NewFrame();
   ImGui::OpenPopup("menu");

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <filesystem>
 #include <fstream>
@@ -79,6 +80,19 @@ TEST(DrawingFeature, a_press_in_the_exploded_view_redraws_the_pieces_in_place) {
   bench.handle(InputEvent::Kind::kPress, at->at);
   EXPECT_EQ(bench.workspace.view.spread, 0);
   EXPECT_TRUE(bench.workspace.view.picture_old);
+}
+
+TEST(DrawingFeature, an_enter_key_held_from_the_dialog_cuts_nothing) {
+  DrawingBench bench;
+  ImGui::CreateContext();
+  InputEvent key{InputEvent::Kind::kKey, {}, GLFW_KEY_ENTER};
+  key.again = true;
+  EXPECT_FALSE(bench.drawing().handle_event(key, false));
+  EXPECT_FALSE(bench.workspace.changes.has_requests());
+  key.again = false;
+  EXPECT_TRUE(bench.drawing().handle_event(key, false));
+  EXPECT_TRUE(bench.workspace.changes.has_requests());
+  ImGui::DestroyContext();
 }
 
 }  // namespace

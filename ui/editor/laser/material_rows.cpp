@@ -446,6 +446,7 @@ void StrokeWatch::end(const Document& document) {
   now_.reset();
   const UndoStack& history = document.history();
   if (crossing_.step >= history.position() || !history.cuts(crossing_.step)) return;  // it was undone
+  if (way_.empty()) return;                                                           // no surface was hit
   for (size_t i = 1; i < way_.size(); ++i) judge(document.world(), way_[i]);
   now_.reset();
   way_.clear();

@@ -95,6 +95,15 @@ TEST_F(StrokeWatchTest, a_stroke_that_is_undone_leaves_the_result_of_the_one_bef
   EXPECT_EQ(watch_.last(document_)->settings.laser.power, power);
 }
 
+TEST_F(StrokeWatchTest, a_stroke_that_hits_nothing_leaves_the_result_of_the_one_before) {
+  cross(2.5 * fastest());
+  ASSERT_NE(watch_.last(document_), nullptr);
+  const Pose beside{{1, 0.1, 0}, {0, -1, 0}};
+  watch_.follow(document_, picture_of_beam(document_.world(), settings_, beside, 0.2));
+  watch_.follow(document_, std::nullopt);
+  EXPECT_NE(watch_.last(document_), nullptr);
+}
+
 TEST_F(StrokeWatchTest, a_stroke_without_a_pause_before_it_is_judged_by_its_own_settings) {
   const double power = settings_.laser.power, speed = 2.5 * fastest();
   draw(-0.002, speed);

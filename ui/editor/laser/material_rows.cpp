@@ -277,7 +277,10 @@ class MaterialFeature : public Feature {
       watch_.follow(workspace_.session.document, workspace_.beam.picture(workspace_.session.document));
   }
   bool needs_redraw() const override { return aim_ && aim_->speed > 0; }
-  void on_document_opened() override { watch_ = StrokeWatch(); }
+  void on_document_opened() override {
+    watch_ = StrokeWatch();
+    panel_ = MaterialPanel();  // an entry in progress belongs to the previous document
+  }
   // Drawn at the pointer, where the user looks while drawing.
   void draw_overlay(ImDrawList& list) override {
     if (!watch_.now() || !workspace_.beam.cutting()) return;

@@ -10,6 +10,7 @@
 
 #include "core/base/ids.h"
 #include "core/mesh/files/mesh_format.h"
+#include "core/mesh/files/scanner.h"
 
 namespace kerf {
 namespace fs = std::filesystem;
@@ -94,6 +95,10 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 std::string nearest_name_hint(std::string_view name, std::span<const std::string> names) {
   if (names.empty()) return "";
   return "; the nearest name is \"" + nearest_name(name, names) + "\"";
+}
+
+Error JsonValue::wrong(const std::string& what) const {
+  return bad_input(one_line(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what));
 }
 
 Result<double> JsonValue::number() const {

@@ -45,10 +45,8 @@ class JsonValue {
     return {(*value_)[i], file_, pointer_ + "/" + std::to_string(i)};
   }
 
-  // Returns a bad-input error with the message "FILE: POINTER: WHAT".
-  Error wrong(const std::string& what) const {
-    return bad_input(file_ + ": " + (pointer_.empty() ? "" : pointer_ + ": ") + what);
-  }
+  // Returns a bad-input error with the message "FILE: POINTER: WHAT", on one line whatever the keys are.
+  Error wrong(const std::string& what) const;
 
   // Convert the value to a type. Fail with wrong() for any other value.
   Result<double> number() const;  // finite

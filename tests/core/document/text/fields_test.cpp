@@ -132,6 +132,7 @@ TEST(Fields, unknown_keys_are_rejected_with_the_nearest_name) {
   EXPECT_EQ(error_of(R"({"power": 5, "hieght": 1})"), unknown("/hieght", "height"));
   EXPECT_EQ(error_of(R"({"power": 5, "Count": 1})"), unknown("/Count", "count"));
   EXPECT_EQ(error_of(R"({"power": 5, "nam": "x"})"), unknown("/nam", "name"));
+  EXPECT_EQ(error_of(R"({"power": 5, "na\nme": "x"})"), unknown("/na?me", "name"));
   EXPECT_EQ(error_of(R"({"power": 5, "parts": [{"power": 5}, {"power": 5, "shades": 1}]})"),
             unknown("/parts/1/shades", "shade"));
 }

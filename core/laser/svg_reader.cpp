@@ -48,6 +48,12 @@ std::string_view local_name(std::string_view name, std::string_view prefix) {
   return name.starts_with("svg:") ? name.substr(4) : name;
 }
 
+// Returns true for elements without shapes, and for those of another namespace.
+bool is_silent(std::string_view local) {
+  return std::ranges::find(kSilentElements, local) != kSilentElements.end() ||
+         local.find(':') != std::string_view::npos;
+}
+
 // Returns the value of a property, from the attribute style or the attribute of that name.
 std::string_view property(const pugi::xml_node& node, std::string_view name) {
   std::string_view style = node.attribute("style").value();
@@ -308,9 +314,7 @@ class SvgReader {
     if (depth > DrawingLimits::kMaxDepth) return wrong(node, "", {0, "elements are nested too deeply"});
     if (!builder_.count_element()) return bad_input(file_ + ": " + builder_.fault());
     const std::string_view name = local_name(node.name(), prefix_);
-    if (std::ranges::find(kSilentElements, name) != kSilentElements.end() ||
-        name.find(':') != std::string_view::npos)
-      return Done{};
+    if (is_silent(name)) return Done{};
     if (property(node, "display") == "none") return Done{};
     inherit(node, frame);
     if (const pugi::xml_attribute transform = node.attribute("transform")) {
@@ -325,13 +329,19 @@ class SvgReader {
     return shape(node, name, frame);
   }
 
-  // Draws the first child of a <switch> that needs no extension, in whatever language it is.
+  // Draws the first child of a <switch> that needs no extension, in whatever language it is, and a
+  // foreignObject only if there is no other: it holds no shapes.
   Status first_drawable(const pugi::xml_node& parent, const Frame& frame, int depth) {
+    pugi::xml_node selected;
     for (const pugi::xml_node& node : parent.children()) {
-      if (node.type() == pugi::node_element && node.attribute("requiredExtensions").empty())
-        return element(node, frame, depth + 1);
+      const std::string_view name = local_name(node.name(), prefix_);
+      if (node.type() != pugi::node_element || is_silent(name) ||
+          !node.attribute("requiredExtensions").empty())
+        continue;
+      selected = node;
+      if (name != "foreignObject") break;
     }
-    return Done{};
+    return selected ? element(selected, frame, depth + 1) : Status(Done{});
   }
 
   // Draws the children of an inner <svg>, or of a <symbol> for which `sized` gives place and size.

@@ -210,6 +210,15 @@ TEST(SvgDrawing, a_switch_draws_its_first_child_that_needs_no_extension) {
   EXPECT_EQ(left_out_text(drawing), std::nullopt);
 }
 
+TEST(SvgDrawing, a_switch_draws_the_shapes_after_its_title_and_foreign_object) {
+  const Drawing drawing = svg_of(
+      "<switch><title>part</title><foreignObject width='9' height='9'/><path d='M0 0h1'/><path d='M0 0h9'/>"
+      "</switch><switch><foreignObject/></switch>");
+  ASSERT_EQ(drawing.lines.size(), 1u);
+  EXPECT_LT(glm::length(drawing.lines[0].points[1] - kMillimetre * Vec2(1, 0)), 1e-15);
+  EXPECT_EQ(left_out_text(drawing), "left out: 1 foreignObject");
+}
+
 TEST(SvgDrawing, a_line_that_returns_to_its_start_is_closed) {
   const Drawing drawing = svg_of(
       "<polyline points='0,0 10,0 10,10 0,10 0,0'/><path d='M10 5 A5 5 0 0 1 0 5 A5 5 0 0 1 10 5'/>"

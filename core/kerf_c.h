@@ -440,9 +440,9 @@ typedef struct kerf_body_changes {
 } kerf_body_changes;
 
 /* A piece that moved to another body, e.g. because it began to fall or was edited; not listed if that body
- * was removed since. The side with fewer faces, the piece or the rest, is copied to a body listed as created:
- * `to` or, if keeps_faces is 1, `from`. Its face i is the i-th face of that side by previous index. The other
- * side keeps its indices. */
+ * was removed since, unless a listed piece left it before. The side with fewer faces, the piece or the rest,
+ * is copied to a body listed as created: `to` or, if keeps_faces is 1, `from`. Its face i is the i-th face of
+ * that side by previous index. The other side keeps its indices. */
 typedef struct kerf_detached {
   kerf_body from, to;
   uint32_t piece;       /* the label, in both */

@@ -87,10 +87,10 @@ void add_changes(py::module_& m, WorldClass& world) {
       .def_readonly("bodies", &ChangesOfWorld::bodies, "A list of BodyChanges, destroyed bodies first.")
       .def_readonly(
           "detached", &ChangesOfWorld::detached,
-          "Pieces that moved to another body, unless it was removed since: a list of (from, to, piece, "
-          "keeps_faces). The smaller side, the piece or the rest, has a created body, in which face i is the "
-          "i-th of its faces before. If keeps_faces, faces of `from` are now those of `to`, by the same "
-          "indices; else they remain.")
+          "Pieces that moved to another body, unless it was removed since and no listed piece left it: a "
+          "list of (from, to, piece, keeps_faces). The smaller side, the piece or the rest, has a created "
+          "body, in which face i is the i-th of its faces before. If keeps_faces, faces of `from` are now "
+          "those of `to`, by the same indices; else they remain.")
       .def("__repr__", [](const ChangesOfWorld& changes) {
         return changes.everything
                    ? std::string("<kerf.Changes of everything>")

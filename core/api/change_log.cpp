@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/api/api_internal.h"
@@ -59,15 +60,14 @@ uint32_t origin_of(const UndoStack& history, size_t first, PieceId piece) {
   return KERF_NO_PIECE;
 }
 
-// Returns the pieces whose bodies were not removed since.
+// Returns the pieces whose bodies were not removed since, or moved on to such bodies.
 std::vector<kerf_detached> lasting(const World& world, const std::vector<Detached>& detached) {
   std::vector<kerf_detached> all;
-  std::map<BodyId, BodyId> last;  // ids of bodies in the end, by those after the step, if they differ
+  std::set<BodyId> left;  // bodies that later entries name as origin
   for (auto d = detached.rbegin(); d != detached.rend(); ++d) {
-    const auto later = last.find(d->to);
-    const BodyId now = later == last.end() ? d->to : later->second;
-    if (world.contains(now)) all.push_back({to_api(d->from), to_api(d->to), d->label, d->keeps_slots});
-    if (d->keeps_slots) last[d->from] = now;
+    if (!world.contains(d->to) && !left.contains(d->to)) continue;
+    left.insert(d->from);
+    all.push_back({to_api(d->from), to_api(d->to), d->label, d->keeps_slots});
   }
   std::reverse(all.begin(), all.end());
   return all;

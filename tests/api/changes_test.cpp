@@ -256,6 +256,33 @@ TEST(Changes, a_removed_piece_is_not_listed_as_detached) {
   }
 }
 
+TEST(Changes, a_detached_piece_is_listed_if_a_part_of_it_was_removed) {
+  for (const bool removes_larger : {false, true}) {
+    SCOPED_TRACE(removes_larger);
+    World world;
+    const BodyId body = world.add(sheet(20));
+    world.cut(through_the_middle());
+    const std::vector<uint32_t> labels = world.piece_labels(body, world.faces(body));
+    const uint32_t piece = *std::max_element(labels.begin(), labels.end());
+    (void)world.take_changes();
+    const BodyId now = world.move(body, piece, {0, 0.5, 0});
+    const bool is_left = world.corners(now, world.faces(now))[0] < 0.5;
+    Stroke stroke = through_the_middle();
+    for (Keyframe& key : stroke.keys) key.origin[0] = is_left ? 0.15 : 0.85;
+    world.cut(stroke);
+    std::map<uint32_t, size_t> sizes;
+    for (const uint32_t label : world.piece_labels(now, world.faces(now))) ++sizes[label];
+    ASSERT_EQ(sizes.size(), 2u);
+    const bool is_first_larger = sizes.begin()->second > sizes.rbegin()->second;
+    world.remove(now, is_first_larger == removes_larger ? sizes.begin()->first : sizes.rbegin()->first);
+    const Changes changes = world.take_changes();
+    ASSERT_EQ(changes.detached_count, 1u);
+    EXPECT_EQ(changes.detached->from, body);
+    EXPECT_EQ(changes.detached->to, now);
+    EXPECT_EQ(changes.detached->piece, piece);
+  }
+}
+
 TEST(Changes, a_detached_piece_keeps_the_order_of_its_faces) {
   World world;
   const BodyId body = world.add(sheet(20));

@@ -226,7 +226,7 @@ class PlayRun {
     auto game = WindowedGame::begin(**opened, options);
     if (!game) return game.error();
     game->play(loop);
-    keep_palette(game->look());
+    if (game->look().palette != settings.palette) keep_palette(game->look());
     if (!loop.fault().empty()) return bad_input(loop.fault());
     setup_ = game->match().setup();
     controls_ = game->played();
@@ -240,10 +240,10 @@ class PlayRun {
     return run_editor_after_game(std::move(editor), **opened, gui, loop, std::move(*game));
   }
 
-  // Saves the colours that were selected in the pause menu. They are a setting of the editor.
+  // Saves the colours that were selected in the pause menu. They are a setting of the editor, of which others
+  // may have changed since.
   static void keep_palette(const GuiLook& look) {
     Settings settings = read_settings(settings_file()).settings;
-    if (settings.palette == look.palette) return;
     settings.palette = look.palette;
     (void)write_settings(settings, settings_file());
   }

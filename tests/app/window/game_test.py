@@ -99,6 +99,14 @@ class Game(WindowTest):
         game.report()
         self.assertFalse(self.kept("game.json")["guide"])
 
+    def test_colours_selected_in_an_editor_during_a_match_are_kept(self):
+        game = self.open("play", self.write_rules())
+        game.wait_for(lambda: self.playing(game), "the match never began")
+        self.write_settings({"palette": "orange-blue"})
+        game.send({"close": True})
+        game.report()
+        self.assertEqual(self.settings()["palette"], "orange-blue")
+
     def test_the_lesson_appears_once_and_can_be_skipped(self):
         game = self.open("play")
         game.wait_for(lambda: "start" in game.landmarks()["parts"], "the menu before the match never came")

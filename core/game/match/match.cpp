@@ -583,10 +583,12 @@ void Match::pop_off_lost(size_t vehicle, const Damage& damage) {
   if (damage.barrel) pop_off(world.body(v.gun.barrel), up, trails_.of(v.gun.turret));
 }
 
+// A car that is moved has not jumped.
 void Match::recover() {
   for (size_t v = 0; v < vehicles_.size(); ++v) {
     const bool lies = is_overturned(world().body(vehicles_[v].chassis));
     if (!recover_vehicle(world_.world(), vehicles_[v], space_, rules().description.times)) continue;
+    if (v == kPlayer) in_air_ = 0;
     Delta moved;
     moved.moved = all_bodies(vehicles_[v]);
     world_.follow(std::move(moved));

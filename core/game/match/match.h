@@ -182,7 +182,7 @@ class Match {
   std::set<std::pair<BodyId, size_t>> struck_by_;  // props as loaded whose fall scored, and the vehicles hit
   std::vector<size_t> bursting_;                   // vehicles whose fuel tanks were cut in the last tick
   std::vector<LootPart> loot_;
-  Ticks in_air_ = 0;          // for which no wheel of the player's car has been on the ground
+  Ticks in_air_ = 0;          // since a wheel of the player's car was on the ground, or the car was recovered
   bool upgraded_ = false;     // an upgrade was selected in this pause
   std::vector<Vec3> thrown_;  // m/s, by vehicle, of pieces that come off in this tick by a crash
 };

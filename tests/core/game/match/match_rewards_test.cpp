@@ -96,6 +96,33 @@ TEST(Jump, scores_nothing_for_a_car_that_turns_over_in_the_air) {
   EXPECT_EQ(match.standing().score, 0);
 }
 
+TEST(Jump, does_not_include_the_time_of_a_car_that_is_caught_off_the_ground) {
+  auto rules = std::make_shared<Rules>(*quiet_rules(1));
+  rules->description.scores.air = 100;
+  Match match({rules, 1, Difficulty::kNormal});
+  pass(match, 1);
+  const auto chassis = [&]() -> Body& { return world(match).body(match.vehicles()[0].chassis); };
+  Placement caught = chassis().placement;
+  caught.position.y += 1.5;
+  Controls forward;
+  forward.throttle = Controls::kFull;
+  bool righted = false;
+  for (int t = 0; t < 1200 && !righted; ++t) {
+    chassis().placement = caught;
+    chassis().motion = {};
+    match.tick(forward);
+    righted = std::ranges::count(match.events(), Event::Kind::kRighted, &Event::kind) > 0;
+  }
+  ASSERT_TRUE(righted);
+  double longest = 0;
+  for (int t = 0; t < 240; ++t) {
+    match.tick({});
+    for (const Event& e : match.events())
+      longest = std::max(longest, e.kind == Event::Kind::kJumped ? e.size : 0);
+  }
+  EXPECT_LT(longest, 2) << "it was caught for longer, and fell for less than a second";
+}
+
 TEST(Wheel, a_replaced_one_holds_without_its_mount) {
   test::LoneVehicle stage;
   Wheel& wheel = stage.vehicle.wheels[0];

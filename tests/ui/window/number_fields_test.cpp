@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/support/gui_context.h"
 #include "ui/window/widgets.h"
 
 namespace kerf {
@@ -67,25 +68,9 @@ TEST_F(NumberEntries, use_the_unit_of_their_format) {
 // Widgets of ImGui one below the other, of which no pixel is drawn.
 class Entries : public testing::Test {
  protected:
-  Entries() {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {400, 300};
-    io.DeltaTime = 0.5f;
-    io.Fonts->Build();
-  }
-  ~Entries() override { ImGui::DestroyContext(); }
-
   virtual void draw() = 0;
   void frame() {
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({400, 300});
-    ImGui::Begin("fields", nullptr, ImGuiWindowFlags_NoDecoration);
-    draw();
-    ImGui::End();
-    ImGui::Render();
+    gui_.frame([&] { draw(); });
   }
   void click(ImVec2 at) {
     ImGuiIO& io = ImGui::GetIO();
@@ -101,6 +86,9 @@ class Entries : public testing::Test {
     ImGui::GetIO().AddInputCharactersUTF8(text);
     frame();
   }
+
+ private:
+  test::GuiContext gui_;
 };
 
 class FieldEntries : public Entries {

@@ -421,17 +421,16 @@ glm::dquat orientation_of(const Vec3& angles) {
   return glm::normalize(glm::dquat(angles * kRadiansOfDegree));
 }
 
-// A click that ends an entry may have selected another piece in the same frame.
+// A press in the viewport selects another piece before a field that it leaves has reported its entry, which
+// belongs to the piece before.
 std::optional<Command> PlacementRows::draw(const World& world, const ViewState& view) {
   if (!begin_properties("placement")) return std::nullopt;
   const char* disabled_reason = move_disabled_reason(view.look.pieces);
-  std::optional<PieceId> piece;
-  if (disabled_reason == nullptr) piece = first_selected(view.look.pieces);
-  const std::optional<PieceId> last = std::exchange(shown_, piece);
-  if (last && has_faces(world, *last)) piece = last;
+  if (!fields_.is_active() || !edited_ || !has_faces(world, *edited_))
+    edited_ = disabled_reason == nullptr ? first_selected(view.look.pieces) : std::nullopt;
   std::optional<Command> command;
-  if (piece) {
-    command = draw_fields(world, view, *piece);
+  if (edited_) {
+    command = draw_fields(world, view, *edited_);
   } else {
     draw_empty(disabled_reason);
   }

@@ -166,9 +166,8 @@ glm::dquat orientation_of(const Vec3& angles);
 // this centre.
 class PlacementRows {
  public:
-  // Unless exactly one piece is selected, the fields are empty, so that rows below keep their place. A new
-  // selection is shown from the second call on. Returns the command when a field is confirmed by Enter or
-  // left.
+  // Unless exactly one piece is selected, the fields are empty, so that rows below keep their place. Returns
+  // the command when a field is confirmed by Enter or left.
   std::optional<Command> draw(const World& world, const ViewState& view);
 
  private:
@@ -176,7 +175,7 @@ class PlacementRows {
   void draw_empty(const char* why);
 
   NumberFields fields_;
-  std::optional<PieceId> shown_;  // selected at the last call
+  std::optional<PieceId> edited_;  // whose placement is shown
 };
 
 }  // namespace kerf

@@ -134,7 +134,9 @@ std::optional<PieceId> first_selected(const PieceMap& looks) {
   return std::nullopt;
 }
 
-static Bounds bounds_as_drawn(const World& world, const ViewOptions& options, bool only_selected) {
+namespace {
+
+Bounds bounds_as_drawn(const World& world, const ViewOptions& options, bool only_selected) {
   Bounds bounds = Bounds::none();
   for (const BodyId id : world.ids()) {
     const Body& body = world.body(id);
@@ -149,6 +151,8 @@ static Bounds bounds_as_drawn(const World& world, const ViewOptions& options, bo
   }
   return bounds;
 }
+
+}  // namespace
 
 Bounds selected_bounds(const World& world, const ViewOptions& options) {
   return bounds_as_drawn(world, options, true);

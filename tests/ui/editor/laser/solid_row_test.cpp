@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "core/edit/body_edit.h"
+#include "tests/support/gui_context.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 #include "ui/editor/shared/piece_set.h"
@@ -53,12 +54,6 @@ TEST(SheetEdit, changes_only_the_edited_members_of_other_sheets) {
 class MaterialEntries : public testing::Test {
  protected:
   MaterialEntries() {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {400, 300};
-    io.DeltaTime = 0.5f;
-    io.Fonts->Build();
     keep_landmarks(&landmarks);
     World world;
     for (const double thickness : {0.001, 0.002}) {
@@ -69,20 +64,12 @@ class MaterialEntries : public testing::Test {
     workspace.session.document = Document(std::move(world));
     for (int i = 0; i < 3; ++i) frame();
   }
-  ~MaterialEntries() override {
-    keep_landmarks(nullptr);
-    ImGui::DestroyContext();
-  }
+  ~MaterialEntries() override { keep_landmarks(nullptr); }
 
   MaterialChange frame() {
     landmarks.begin_frame();
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({400, 300});
-    ImGui::Begin("material", nullptr, ImGuiWindowFlags_NoDecoration);
-    MaterialChange change = panel.draw(workspace);
-    ImGui::End();
-    ImGui::Render();
+    MaterialChange change;
+    gui.frame([&] { change = panel.draw(workspace); });
     return change;
   }
   MaterialChange press(Vec2 at) {
@@ -103,6 +90,7 @@ class MaterialEntries : public testing::Test {
     EXPECT_FALSE(frame().sheet);
   }
 
+  test::GuiContext gui;
   Landmarks landmarks{std::nullopt};
   Workspace workspace;
   std::vector<PieceId> pieces;

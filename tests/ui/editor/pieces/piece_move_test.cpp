@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/random.h"
+#include "tests/support/gui_context.h"
 #include "tests/support/made_meshes.h"
 #include "ui/editor/pieces/piece_placement.h"
 #include "ui/editor/shared/feature.h"
@@ -338,28 +339,17 @@ TEST(Moving, needs_exactly_one_selected_piece) {
 class PlacementEntries : public testing::Test {
  protected:
   PlacementEntries() {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {400, 300};
-    io.DeltaTime = 0.5f;
-    io.Fonts->Build();
     keep_landmarks(&landmarks);
     for (const char* name : {"left", "right"})
       ids.push_back(world.add(make_body(name, test::build(test::sphere(8, 12, 1)))));
     select_piece(view.look.pieces, {ids[0], 0}, false);
   }
-  ~PlacementEntries() override { ImGui::DestroyContext(); }
+  ~PlacementEntries() override { keep_landmarks(nullptr); }
 
   std::optional<Command> frame() {
     landmarks.begin_frame();
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({400, 300});
-    ImGui::Begin("fields", nullptr, ImGuiWindowFlags_NoDecoration);
-    const std::optional<Command> command = rows.draw(world, view);
-    ImGui::End();
-    ImGui::Render();
+    std::optional<Command> command;
+    gui.frame([&] { command = rows.draw(world, view); });
     return command;
   }
   void click(ImVec2 at) {
@@ -370,6 +360,7 @@ class PlacementEntries : public testing::Test {
     }
   }
 
+  test::GuiContext gui;
   Landmarks landmarks{std::nullopt};
   World world;
   std::vector<BodyId> ids;

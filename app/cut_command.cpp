@@ -72,6 +72,7 @@ class CutRun {
     if (const auto s = check_knife_paths(); !s) return s;
     const auto line_of = [&](size_t stroke, size_t key) { return options_.job.line_of(stroke, key); };
     if (const auto s = options_.setup.check_nozzle(document_.world(), strokes_, line_of, job_); !s) return s;
+    job_.follows_segments = true;
     if (const auto s = begin_outputs(folder); !s) return s;
     if (const auto s = cut_strokes(); !s) return s;
     if (const auto s = cut_planes(); !s) return s;

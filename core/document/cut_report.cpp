@@ -99,8 +99,9 @@ nlohmann::ordered_json to_json(const CutSegment& s) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const ScrapCut& s, const std::vector<WrittenPiece>& pieces) {
+nlohmann::ordered_json to_json(const ScrapCut& s, const std::vector<WrittenPiece>& pieces, bool has_segment) {
   nlohmann::ordered_json json = to_json(s.at);
+  if (!has_segment) json.erase("segment");
   json["freed_by"] = s.freed_by;
   json["area"] = s.area;
   json["at"] = vector_json(s.area > 0 ? s.moment / s.area : s.moment);
@@ -151,6 +152,7 @@ void add_energy(nlohmann::ordered_json& report, const CutJob& job, const World& 
   if (!job.thermal) return;
   report["energy_j"] = energy_json(world);
   report["depth_fraction"] = job.depth_fraction();
+  if (!job.follows_segments) return;
   report["uncut"] = nlohmann::ordered_json::array();
   for (const UncutSegment& s : job.uncut) {
     nlohmann::ordered_json segment = to_json(s.at);
@@ -305,7 +307,7 @@ nlohmann::ordered_json cut_report(const CutJob& job, const World& world,
       {"max_level", extremes.deepest_level},
       {"steps", job.steps},
       {"missed", job.missed}};
-  for (const ScrapCut& s : job.scrap) report["scrap"].push_back(to_json(s, pieces));
+  for (const ScrapCut& s : job.scrap) report["scrap"].push_back(to_json(s, pieces, job.follows_segments));
   if (job.fit) report["fit"] = to_json(*job.fit);
   for (const NozzleSegment& s : job.nozzle) report["nozzle"].push_back(to_json(s));
   add_solid(report, job, any_solid);

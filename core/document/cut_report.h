@@ -98,10 +98,12 @@ struct CutJob {
   std::optional<FittedStrokes> fit;
   std::vector<NozzleSegment> nozzle;  // in order; empty if it is not checked
   size_t strokes = 0;                 // number of strokes cut
-  CutSegment segment;                 // the current one
-  std::vector<size_t> missed;         // indices of the strokes that hit nothing, ascending
-  std::vector<UncutSegment> uncut;    // in order; thermal model only
-  std::vector<ScrapCut> scrap;        // by stroke and part
+  // The owner sets `segment` as the beam moves, and lists uncut segments. Otherwise the report has none.
+  bool follows_segments = false;
+  CutSegment segment;               // the current one
+  std::vector<size_t> missed;       // indices of the strokes that hit nothing, ascending
+  std::vector<UncutSegment> uncut;  // in order; thermal model only
+  std::vector<ScrapCut> scrap;      // by stroke and part
   FreedParts freed_by;
   size_t faces_before_stroke = 0;  // removed_faces and met_s at the start of the last stroke
   double met_before_stroke_s = 0;

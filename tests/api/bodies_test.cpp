@@ -263,6 +263,7 @@ TEST(Bodies, a_thermal_cut_reports_its_energy_and_depth) {
   EXPECT_EQ(progress.absorbed, cut.absorbed);
   EXPECT_EQ(progress.depth, cut.depth);
   EXPECT_NE(whole.report().find("\"depth_fraction\": "), std::string::npos);
+  EXPECT_EQ(whole.report().find("\"uncut\": "), std::string::npos);
 }
 
 // Two sheets that are apart, 0 to 1 and 1.1 to 2.1 m along x, in y = 0.

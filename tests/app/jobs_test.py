@@ -308,9 +308,14 @@ class Jobs(unittest.TestCase):
         square = 'M{0} {0}h{1}v{1}h-{1}z'
         svg = self.write('b.svg', '<svg width="100mm" height="100mm" viewBox="0 0 100 100"><path d="' + square.format(20, 60) +
                          '"/><path d="' + square.format(40, 20) + '"/></svg>')
-        report = self.cut(self.sheet(.05), '--drawing', svg)
+        report = self.cut(self.sheet(.05), '--drawing', svg, '--journal', self.path('b.kerf'))
         scrap, = report['scrap']
         self.assertEqual((1, 0), (scrap['stroke'], scrap['freed_by']))
+        self.kerf('replay', self.path('b.kerf'), '--out', self.path('again'))
+        with open(self.path('again/report.json'), encoding='utf-8') as file:
+            again, = json.load(file)['scrap']
+        self.assertEqual({key: scrap[key] for key in ('stroke', 'freed_by', 'piece')}, {key: again[key] for key in ('stroke', 'freed_by', 'piece')})
+        self.assertNotIn('segment', again)
         self.assertAlmostEqual(scrap['area'], 4 * .02 * 2 * RADIUS, delta=.01 * scrap['area'])
         self.kerf('path', svg, '--out', self.path('c.json'), '--compensate', 'right', '--radius', RADIUS)
         self.kerf('cut', self.sheet(.05), '--path', self.path('c.json'), '--out', self.path('out'), '--range', '0,9', '--rim', 'smooth')

@@ -266,6 +266,7 @@ class Outputs(unittest.TestCase):
                 self.assertEqual(again["removed"], once["removed"], name)
                 for key in ("energy_j", "depth_fraction"):
                     self.assertEqual(key in again, key in once, key)
+                self.assertEqual(("uncut" in once, "uncut" in again), (bool(model), False))
 
     def test_a_thermal_stroke_without_a_duration_is_reported(self):
         still = stroke(0)

@@ -7,7 +7,7 @@ end
 function __kerf_options
     set -l command (commandline -opc)[2]
     string match -qr '^[a-z]+$' -- "$command"; or set command
-    kerf $command --help 2>/dev/null | grep -oE -- '--[a-z][a-z-]*' | sort -u
+    kerf $command --help 2>/dev/null | grep -oE -- '--[a-z][a-z0-9-]*' | sort -u
 end
 
 complete -c kerf -n __fish_use_subcommand -a '(__kerf_subcommands)'

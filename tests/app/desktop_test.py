@@ -64,6 +64,17 @@ class Desktop(unittest.TestCase):
                     fish = re.search(rf"-l {option[2:]} -x -a '(.*)'", text_of('kerf.fish'))[1]
                     self.assertEqual((set(zsh.split()), set(fish.split())), (values, values))
 
+    def test_completions_offer_whole_names_of_options(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(KERF, os.path.join(folder, 'kerf'))
+            program = (f'source {shlex.quote(EXTRAS)}/kerf.bash; COMP_WORDS=(kerf path x --power); COMP_CWORD=3; _kerf; '
+                       'printf "%s\\n" "${COMPREPLY[@]}"')
+            environment = {**os.environ, 'PATH': folder + ':' + os.environ['PATH']}
+            said = subprocess.run(['bash', '-c', program], env=environment, capture_output=True, text=True, check=True).stdout
+        self.assertEqual(said.split(), ['--power-at-s1000'])
+        patterns = re.findall(r"--\[a-z\][^']*", text_of('kerf.bash') + text_of('_kerf') + text_of('kerf.fish'))
+        self.assertEqual(patterns, 3 * ['--[a-z][a-z0-9-]*'])
+
     def test_completions_can_be_parsed(self):
         for shell, check, name in (('bash', '-n', 'kerf.bash'), ('zsh', '-n', '_kerf'), ('fish', '--no-execute', 'kerf.fish')):
             if shutil.which(shell):

@@ -143,8 +143,7 @@ class PlayRun {
     if (!arguments_.headless) return play_in_window();
     Match match(setup_);
     if (const Status s = play(match); !s) return s;
-    if (const Status s = write_report(match); !s) return s;
-    if (const Status s = write_record(match); !s) return s;
+    if (const Status s = write_results(match); !s) return s;
     summarize(match_summary(match));
     return Done{};
   }
@@ -231,8 +230,7 @@ class PlayRun {
     setup_ = game->match().setup();
     controls_ = game->played();
     frame_s_ = game->frame_seconds();
-    if (const Status s = write_report(game->match()); !s) return s;
-    if (const Status s = write_record(game->match()); !s) return s;
+    if (const Status s = write_results(game->match()); !s) return s;
     if (!game->wants_inspection()) return Done{};
     EditorOptions editor;
     editor.default_scene = assets_folder() / "scenes" / "car.json";
@@ -267,6 +265,12 @@ class PlayRun {
       controls_.push_back(controls);
     }
     return Done{};
+  }
+
+  // If the report cannot be written, the recording is.
+  Status write_results(const Match& match) const {
+    const Status report = write_report(match), record = write_record(match);
+    return report ? record : report;
   }
 
   Status write_report(const Match& match) const {

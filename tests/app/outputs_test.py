@@ -180,6 +180,13 @@ class Outputs(unittest.TestCase):
         for record in ("m.kerf", "./m.kerf", "link.kerf"):
             self.assert_refused_and_unchanged(["play", "--headless", "--report", "m.kerf", "--record", record], "--report", "--record")
 
+    def test_a_match_is_recorded_if_its_report_cannot_be_written(self):
+        os.mkdir(self.path("folder"))
+        done = self.kerf("play", "--headless", "--driver", "still", "--seconds", "0.1", "--report", "folder", "--record", "m.kerf")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertIn("cannot write folder", done.stderr)
+        self.assertEqual(self.kerf("replay", "m.kerf").returncode, 0)
+
     def test_buffers_of_a_gltf_file_count_as_inputs(self):
         self.cut("plate.obj", "--format", "gltf", "--out", "g")
         gltf = json.loads(self.read("g/piece-0000.gltf"))

@@ -432,12 +432,18 @@ class CutRun {
     }
     if (const Status begun = begin_journal(); !begun) return begun;
     if (const Status made = folder.make(); !made) return made;
+    return check_provenance();
+  }
+
+  // Fails if the file of --provenance cannot be written. Does not open a device or a pipe, which has a
+  // reader.
+  Status check_provenance() const {
     if (options_.provenance.empty()) return Done{};
     std::error_code error;
-    const std::filesystem::path whole = std::filesystem::absolute(options_.provenance, error);
-    if (std::filesystem::is_directory(whole.parent_path(), error)) return Done{};
-    return failed("cannot write " + options_.provenance + ": there is no folder " +
-                  whole.parent_path().string() + ".");
+    const std::filesystem::path file = options_.provenance;
+    if (std::filesystem::is_other(file, error)) return Done{};
+    const auto trial = AtomicFile::open(file);
+    return trial ? Status(Done{}) : trial.error();
   }
 
   // Writes the head of the journal.

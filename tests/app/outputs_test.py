@@ -203,12 +203,14 @@ class Outputs(unittest.TestCase):
             self.assertIn(journal, done.stderr)
             self.assertFalse(os.path.exists(self.path("out")))
 
-    def test_a_missing_folder_of_the_provenance_is_reported_before_the_cut(self):
+    def test_an_unwritable_provenance_is_reported_before_the_cut(self):
         self.cut("plate.obj", "--path", "thrice.json", "--out", "out")
-        done = self.kerf("cut", "plate.obj", "--path", "once.json", "--out", "out", "--provenance", "nowhere/p.npz")
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
-        self.assertIn("cannot write nowhere/p.npz: there is no folder", done.stderr)
-        self.assert_one_run()
+        os.mkdir(self.path("folder"))
+        for name, why in (("nowhere/p.npz", "there is no folder"), ("folder", "Is a directory"), ("folder/", "Is a directory")):
+            done = self.kerf("cut", "plate.obj", "--path", "once.json", "--out", "out", "--provenance", name)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(f"cannot write {name}: {why}", done.stderr)
+            self.assert_one_run()
         self.cut("plate.obj", "--path", "once.json", "--out", "new", "--provenance", "new/p.npz")
         self.assertIn("p.npz", self.files("new"))
 

@@ -14,6 +14,7 @@
 #include <iostream>
 #include <tuple>
 
+#include "core/mesh/files/scanner.h"
 #include "core/mesh/mesh_file.h"
 
 namespace kerf {
@@ -106,11 +107,11 @@ Status flush_output() {
 void set_quiet() { quiet = true; }
 
 void summarize(const std::string& outcome) {
-  if (!quiet) std::cerr << "kerf: " << outcome << '\n';
+  if (!quiet) std::cerr << "kerf: " << one_line(outcome) << '\n';
 }
 
 void warn(const std::string& warning) {
-  std::cerr << "kerf: warning: " << with_stream_names(warning) << '\n';
+  std::cerr << "kerf: warning: " << one_line(with_stream_names(warning)) << '\n';
 }
 
 void print_repairs(const MeshReport& report) {

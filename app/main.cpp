@@ -13,6 +13,7 @@
 #include "app/version.h"
 #include "core/base/parallel.h"
 #include "core/document/text/json.h"
+#include "core/mesh/files/scanner.h"
 #include "core/tree/walks.h"
 #include "ui/screen/stop_signals.h"
 
@@ -21,7 +22,7 @@ namespace {
 // Prints the error on standard error and returns the exit status: 130 or 143 after Ctrl-C or SIGTERM, 2 for
 // bad input, 1 for any other failure.
 int report_error(const kerf::Error& error) {
-  std::cerr << "kerf: " << kerf::with_stream_names(error.message) << '\n';
+  std::cerr << "kerf: " << kerf::one_line(kerf::with_stream_names(error.message)) << '\n';
   if (kerf::interrupted()) return kerf::interrupt_status();
   return error.code == kerf::ErrorCode::kBadInput ? 2 : 1;
 }

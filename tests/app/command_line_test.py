@@ -81,6 +81,13 @@ class CommandLine(unittest.TestCase):
         for command in (("info", long), ("cut", long, "--out", "o"), ("replay", long), ("path", long + ".svg", "--out", "a.nc")):
             self.assert_refused(self.run_here(*command), 2, "xxx")
 
+    def test_names_with_line_breaks_leave_a_message_on_one_line(self):
+        for command in (("path", "a\nb.txt", "--out", "c.nc"), ("cut", "plate.obj", "--out", "o", "--no\nsuch"),
+                        ("render", "plate.obj", "--out", "a\nb.bmp"), ("replay", "a\nb.kerf")):
+            self.assert_refused(self.run_here(*command), 2, "?")
+        done = self.run_here("cut", "plate.obj", "--path", "across.json", "--out", "o\np")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
+
     def test_help_and_version_go_to_standard_output(self):
         for args in (["--help"], ["--version"], ["cut", "--help"], ["info", "--help"], ["inspect", "--help"], ["render", "--help"]):
             done = kerf(*args)

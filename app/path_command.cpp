@@ -99,6 +99,9 @@ class PathRun {
       return bad_input("--layers: requires a drawing, .svg or .dxf");
     if (!options_.axes.empty() && job_kind(options_.file) != JobFile::Kind::kProgram)
       return bad_input("--axes: requires a program, .nc");
+    if (options_.power_at_s1000 && job_kind(options_.file) != JobFile::Kind::kProgram &&
+        kind != JobFile::Kind::kProgram)
+      return bad_input("--power-at-s1000: requires a program, .nc, as FILE or --out");
     InputFiles inputs;
     for (const std::string& file : {options_.file, options_.post, options_.layers, options_.axes})
       inputs.add(file);

@@ -209,6 +209,8 @@ class Jobs(unittest.TestCase):
                 (['--lead-in', '1'], 'requires --compensate'),
                 (['--tabs', '2'], '--tabs: must be N,M')):
             self.assertIn(words, self.kerf('path', good, *options, '--out', self.path('x.nc'), status=2))
+        self.assertIn('--power-at-s1000: requires a program',
+                      self.kerf('path', good, '--power-at-s1000', 5, '--out', self.path('x.json'), status=2))
         self.assertIn('.json, .svg or .nc', self.kerf('path', good, '--out', self.path('x.dxf'), status=2))
         self.assertIn('good.svg', self.kerf('path', good, '--out', good, status=2))
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <climits>
+#include <string_view>
 
 namespace kerf::python {
 
 namespace {
-
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 std::string type_of(const py::handle& object) { return Py_TYPE(object.ptr())->tp_name; }
 
@@ -83,12 +82,18 @@ uint32_t piece_argument(const py::handle& object) {
   throw py::value_error("piece: " + std::to_string(label) + " does not exist");
 }
 
+Doubles doubles_argument(const py::handle& object) {
+  constexpr std::string_view kRealNumbers = "biufO";  // kinds of NumPy; O: objects with __float__
+  Doubles doubles = py::reinterpret_steal<Doubles>(py::handle());
+  const auto any = py::array::ensure(object);
+  if (any && kRealNumbers.find(any.dtype().kind()) != std::string_view::npos) doubles = Doubles::ensure(any);
+  if (!doubles) PyErr_Clear();
+  return doubles;
+}
+
 std::vector<double> triples_argument(const py::handle& object, const char* name) {
-  const auto array = Doubles::ensure(object);
-  if (!array) {
-    PyErr_Clear();
-    throw py::value_error(std::string(name) + ": must be an array of numbers of shape (n, 3)");
-  }
+  const Doubles array = doubles_argument(object);
+  if (!array) throw py::value_error(std::string(name) + ": must be an array of numbers of shape (n, 3)");
   if (array.ndim() != 2 || array.shape(1) != 3)
     throw py::value_error(std::string(name) + ": must have the shape (n, 3)");
   return {array.data(), array.data() + array.size()};

@@ -35,6 +35,10 @@ auto optional_argument(const py::handle& object, Read read, const Arguments&... 
   return read(object, arguments...);
 }
 
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// Returns an array of real numbers; null for texts, complex numbers, times and what is no array.
+Doubles doubles_argument(const py::handle& object);
 // Return copies of arrays, so that the caller may change them while Kerf works: numbers of shape (n, 3),
 // and integers of shape (m, 3).
 std::vector<double> triples_argument(const py::handle& object, const char* name);
@@ -42,8 +46,7 @@ std::vector<uint32_t> faces_argument(const py::handle& object);
 // Returns exactly kCount numbers of shape (kCount,), or a vector.
 template <size_t kCount>
 std::array<double, kCount> numbers_argument(const py::handle& object, const std::string& name) {
-  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(object);
-  if (!array) PyErr_Clear();
+  const Doubles array = doubles_argument(object);
   if (!array || array.ndim() != 1 || array.size() != kCount)
     throw py::value_error(name + (kCount == 3 ? ": must be three numbers" : ": must be four numbers"));
   std::array<double, kCount> numbers;

@@ -51,6 +51,9 @@ class Module(unittest.TestCase):
         for bad in (lambda: kerf.Mesh(v[:, :2], f), lambda: kerf.Mesh(np.full_like(v, np.nan), f),
                     lambda: kerf.Mesh(v, f + len(v)), lambda: kerf.Mesh(v, f.astype(int) - 1), lambda: kerf.Mesh(v[:0], f[:0]),
                     lambda: kerf.Mesh(v, f.astype(float)), lambda: kerf.Mesh('a', f), lambda: kerf.Mesh(v, None),
+                    lambda: kerf.Mesh(v.astype(str), f), lambda: kerf.Mesh(v + 0j, f), lambda: kerf.Mesh(np.zeros(v.shape, 'm8[s]'), f),
+                    lambda: kerf.Stroke([(0, ('0', '1', '2'), (0, 1, 0))]),
+                    lambda: self.world.closest_points([[1j, 0, 0]]),
                     lambda: kerf.Stroke([()]), lambda: kerf.Stroke([(0, (0, 0), (0, 1, 0))]),
                     lambda: kerf.Stroke([('x', (0, 0, 0), (0, 1, 0))]), lambda: kerf.Stroke([], radius=float('nan')),
                     lambda: self.world.cut(kerf.Stroke([])), lambda: self.world.cut(slot(self.mesh), rim='round'),
@@ -445,6 +448,8 @@ class Module(unittest.TestCase):
         self.assertEqual(notes, ['1 triangle has two corners at the same position and was dropped.'])
         rows = np.zeros(len(self.mesh.vertices), dtype=[('uv', 'f4', 2), ('at', 'f4', 3), ('x', 'u1')])
         rows['at'] = self.mesh.vertices
+        for kind in (np.int64, bool, object):
+            np.testing.assert_array_equal(kerf.Mesh(np.ones((3, 3), kind), [[0, 1, 2]]).vertices, np.ones((3, 3)))
         same = kerf.Mesh(rows['at'], self.mesh.faces.astype(np.uint16)[:, ::1])
         np.testing.assert_array_equal(same.vertices, self.mesh.vertices.astype(np.float32))
         np.testing.assert_array_equal(same.faces, self.mesh.faces)

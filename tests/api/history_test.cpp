@@ -201,6 +201,25 @@ TEST(History, opening_a_scene_of_several_strokes_reports_progress_that_never_dec
   EXPECT_TRUE(std::ranges::is_sorted(shares));
 }
 
+TEST(History, opening_a_journal_is_cancelled_at_any_point) {
+  World world;
+  world.add(sheet(10));
+  world.cut_plane({1, 0, 0}, 0.51);
+  const std::string file = testing::TempDir() + "kerf-cancelled.kerf";
+  world.save_journal(file);
+  int allowed = 0;
+  for (bool cancelled = true; cancelled; ++allowed) {
+    int left = allowed;
+    try {
+      const World opened(file, {[&](double) { return left-- > 0; }, 0});
+      cancelled = false;
+      EXPECT_EQ(opened.hash(), world.hash()) << allowed;
+    } catch (const Cancelled&) {
+    }
+  }
+  EXPECT_GT(allowed, 2);
+}
+
 TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
   World world;
   world.add(sheet(10));

@@ -183,9 +183,10 @@ void add_files(WorldClass& world) {
             unlocked([&] { of.save_scene(to); });
           },
           py::arg("folder"),
-          "Writes the bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes (.kmesh) for "
-          "bodies with attributes or described materials. The folder is created if missing.\n\n"
-          "Raises ValueError if the world has no face, and Error if a file cannot be written.")
+          "Writes the visible bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes "
+          "(.kmesh) for bodies with attributes or described materials. Does not write temperatures, joints, "
+          "motion and whether bodies are fixed. The folder is created if missing.\n\n"
+          "Raises ValueError if no face is visible, and Error if a file cannot be written.")
       .def(
           "save_journal",
           [](const World& of, const py::object& path) {

@@ -241,7 +241,7 @@ class PathRun {
     }
     if (job.kind == JobFile::Kind::kProgram && !options_.works()) seconds = job.program.duration;
     return count_text(strokes.size(), "stroke") + " of " + length_text(way) + ", " +
-           std::to_string(static_cast<int64_t>(std::ceil(seconds))) + " s, are in " + options_.out;
+           general_text(std::ceil(seconds), 15) + " s, are in " + options_.out;
   }
 
   PathOptions options_;

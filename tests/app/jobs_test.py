@@ -186,6 +186,13 @@ class Jobs(unittest.TestCase):
                 for p, q in zip(keys, again):
                     self.assertLess(math.dist(p, q), 1e-12)
 
+    def test_the_duration_of_a_path_is_stated_however_long_it_is(self):
+        keys = [{'t': t, 'origin': [x, 1, 0], 'direction': [0, -1, 0]} for t, x in ((0, 0), (119.5, .01))]
+        for end, text in ((119.5, ', 120 s, '), (1e300, ', 1e+300 s, ')):
+            keys[1]['t'] = end
+            path = self.write('long.json', json.dumps({'strokes': [{'keys': keys}]}))
+            self.assertIn(text, self.kerf('path', path, '--out', self.path('again.json')))
+
     def test_bad_input_names_its_place_and_writes_nothing(self):
         bad = self.write('bad.nc', 'G21\nG1 X10 F100\nG2 X5 Y5 I100 J100\n')
         self.assertIn('bad.nc, line 3, column 1: ', self.kerf('path', bad, '--out', self.path('x.json'), status=2))

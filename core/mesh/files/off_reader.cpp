@@ -55,6 +55,7 @@ class OffReader {
     if (!soup) return soup;
     soup->format = "off";
     soup->colours = colours_.take(soup->positions.size(), soup->warnings);
+    if (has_others_) soup->warnings.push_back(others_warning());
     if (has_face_colours_) soup->warnings.emplace_back("Colours of faces were ignored.");
     if (!scanner_.at_end())
       soup->warnings.push_back("Data after the last face that the header declares were ignored.");
@@ -117,10 +118,21 @@ class OffReader {
       }
       position[i] = *number;
     }
+    const bool is_plain = !keyword_.normals && !keyword_.colours && !keyword_.texture;
+    has_others_ =
+        has_others_ || ((is_plain || keyword_.normals || keyword_.texture) && !scanner_.at_line_end());
     if (keyword_.colours) read_colour();
     positions_.push_back(position);
     scanner_.skip_line();
     return std::nullopt;
+  }
+
+  // The warning about values of vertices that are not read.
+  std::string others_warning() const {
+    if (keyword_.normals && keyword_.texture) return "Normals and UVs were ignored.";
+    if (keyword_.normals) return "Normals were ignored.";
+    if (keyword_.texture) return "UVs were ignored.";
+    return "Numbers after the positions of vertices were ignored, because the keyword is OFF, not COFF.";
   }
 
   // Reads the colour of the next vertex from the rest of its line, if there is one.
@@ -171,6 +183,7 @@ class OffReader {
   std::vector<Vec3> positions_;
   ColourNumbers colours_;  // by position
   PolygonList polygons_;
+  bool has_others_ = false;  // vertices have values that are not read
   bool has_face_colours_ = false;
 };
 

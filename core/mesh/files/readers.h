@@ -31,10 +31,10 @@ bool is_off_keyword(std::string_view word);
 
 // Reads OFF, COFF, NOFF, STOFF and their combinations in text form, with comments, and with the counts on the
 // line of the keyword or on the next one. Reads positions, vertex colours (see ColourNumbers) and faces;
-// ignores normals, texture coordinates and, with a warning, face colours. Rejects binary OFF and OFF in four
-// or n dimensions. A face that refers to a missing vertex or has fewer than three corners is dropped and
-// counted. Linear in the number of bytes, except for large polygons (see Triangulator). `progress` may be
-// null.
+// ignores, with a warning, normals, texture coordinates, numbers after the positions of plain OFF, and face
+// colours. Rejects binary OFF and OFF in four or n dimensions. A face that refers to a missing vertex or has
+// fewer than three corners is dropped and counted. Linear in the number of bytes, except for large polygons
+// (see Triangulator). `progress` may be null.
 Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 

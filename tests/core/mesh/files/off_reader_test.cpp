@@ -34,6 +34,25 @@ TEST(OffReader, ignores_values_after_positions_and_corners) {
   EXPECT_EQ(soup->warnings.back(), "Colours of faces were ignored.");
 }
 
+TEST(OffReader, reports_values_of_vertices_that_are_not_read) {
+  const auto warnings = [](const std::string& keyword, const std::string& values) {
+    const Result<Soup> soup =
+        read_off(keyword + "\n3 1 0\n0 0 0 " + values + "\n1 0 0\n0 1 0\n3 0 1 2\n", "t.off");
+    EXPECT_TRUE(soup);
+    return soup ? soup->warnings : std::vector<std::string>();
+  };
+  EXPECT_EQ(warnings("NOFF", "0 0 1"), std::vector<std::string>{"Normals were ignored."});
+  EXPECT_EQ(warnings("STOFF", "0.5 1 # c"), std::vector<std::string>{"UVs were ignored."});
+  EXPECT_EQ(warnings("STCNOFF", "0 0 1 0.5 0.5 0 0.5 1"),
+            std::vector<std::string>{"Normals and UVs were ignored."});
+  EXPECT_EQ(
+      warnings("OFF", "255 0 0"),
+      std::vector<std::string>{
+          "Numbers after the positions of vertices were ignored, because the keyword is OFF, not COFF."});
+  EXPECT_EQ(warnings("COFF", "0.5 0.5 0 1"), std::vector<std::string>());
+  EXPECT_EQ(warnings("OFF", "# red"), std::vector<std::string>());
+}
+
 TEST(OffReader, counts_faces_with_missing_vertices) {
   const Result<Soup> soup =
       read_off("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n4 0 1 2 -1\n3 0 1 2\n", "t.off");

@@ -184,6 +184,7 @@ class GltfReader {
       accessors.push_back(*own ? int64_t{**own} : -1);
     }
     if (auto problem = add_attributes(*attributes, where + "/attributes", accessors)) return problem;
+    record_ignored(primitive, *attributes);
     const auto first = place_vertices(accessors, to_scene);
     if (!first) return first.error();
     const auto material = material_of(primitive, where);
@@ -195,6 +196,19 @@ class GltfReader {
   static constexpr std::array<const char*, 7> kLookAttributes{
       "COLOR_0", "NORMAL", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3", "TANGENT"};
   static constexpr size_t kUvSets = 4;
+
+  // Records what of a primitive is not read.
+  void record_ignored(const nlohmann::json& primitive, const nlohmann::json& attributes) {
+    for (const auto& [key, value] : attributes.items()) {
+      if (std::find(kLookAttributes.begin(), kLookAttributes.end(), key) != kLookAttributes.end()) continue;
+      if (key.starts_with("TEXCOORD_")) record_once(more_uvs_, "UVs beyond the fourth set were ignored.");
+      if (key.starts_with("COLOR_"))
+        record_once(more_colours_, "Vertex colours beyond the first set were ignored.");
+    }
+    const auto extensions = primitive.find("extensions");
+    if (extensions != primitive.end() && extensions->contains("KHR_materials_variants"))
+      record_once(variants_, "Variants of materials were ignored.");
+  }
 
   // Appends the custom attributes of a primitive, each as its number among those of the file and its
   // accessor.
@@ -421,6 +435,7 @@ class GltfReader {
   std::vector<std::string> attribute_keys_;  // of these, as in the file
   bool skinned_ = false, morphed_ = false, lines_ = false, uncoloured_ = false, unreadable_ = false;
   bool crowded_ = false, unreadable_attributes_ = false;
+  bool more_uvs_ = false, more_colours_ = false, variants_ = false;
 };
 
 }  // namespace

@@ -115,6 +115,21 @@ TEST(Gltf, reads_material_names_and_skips_points) {
   EXPECT_EQ(soup.warnings.size(), 1u);
 }
 
+TEST(Gltf, reports_sets_and_variants_that_are_not_read) {
+  json file = square();
+  json& primitive = file["meshes"][0]["primitives"][0];
+  primitive["attributes"]["TEXCOORD_4"] = 0;
+  primitive["attributes"]["COLOR_1"] = 0;
+  primitive["attributes"]["JOINTS_0"] = 0;
+  primitive["extensions"] = {{"KHR_materials_variants", {{"mappings", json::array()}}}};
+  file["meshes"][0]["primitives"].push_back(primitive);
+  EXPECT_EQ(soup_of(file).warnings,
+            (std::vector<std::string>{"Vertex colours beyond the first set were ignored.",
+                                      "UVs beyond the fourth set were ignored.",
+                                      "Variants of materials were ignored."}));
+  EXPECT_TRUE(soup_of(square()).warnings.empty());
+}
+
 TEST(Gltf, is_fast_for_many_nodes_with_many_primitives_without_triangles) {
   constexpr int kMany = 20'000;
   json file = square();

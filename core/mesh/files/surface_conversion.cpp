@@ -321,7 +321,7 @@ class GltfMembers {
   // Returns the image of a texture that uses the first UVs.
   std::optional<uint32_t> image(const SurfaceJson& of, const char* key) const {
     if (!of.is_object() || !of.contains(key) || !of[key].is_object()) return std::nullopt;
-    if (json_number(of[key], "texCoord") != 0) return std::nullopt;
+    if (!uses_first_uvs(of[key])) return std::nullopt;
     const auto index = whole(of[key], "index");
     if (!index || *index >= library_.textures.size()) return std::nullopt;
     const auto texture = SurfaceJson::parse(library_.textures[*index], nullptr, false);
@@ -446,7 +446,7 @@ namespace {
 void add_lost_of_texture(const std::string& key, const SurfaceJson& texture, std::set<std::string>& lost) {
   const char* const kTransform = "KHR_texture_transform";
   if (!texture.is_object()) return;
-  if (json_number(texture, "texCoord") != 0) {
+  if (!uses_first_uvs(texture)) {
     lost.insert(key + " texCoord");
   } else if (texture.contains("extensions") && texture["extensions"].is_object() &&
              texture["extensions"].contains(kTransform) &&

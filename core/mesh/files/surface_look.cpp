@@ -107,7 +107,7 @@ class LookReader {
 
  private:
   std::optional<uint32_t> image(const Json& use) const {
-    if (number(use, "texCoord", 0) != 0) return std::nullopt;
+    if (!uses_first_uvs(use)) return std::nullopt;
     const auto texture = index(use, "index", surfaces_.textures.size());
     if (!texture) return std::nullopt;
     const Json& json = surfaces_.textures[*texture];
@@ -140,6 +140,11 @@ glm::mat3x2 read_map_transform(const MtlLine& map) {
   read_option(text, "-o", offset);
   offset.y = 1 - scale.y - offset.y;  // v = 0 is the bottom of an image in MTL
   return uv_transform(scale, offset, 0);
+}
+
+bool uses_first_uvs(const Json& texture) {
+  const Json& transform = member(member(texture, "extensions"), "KHR_texture_transform");
+  return number(transform, "texCoord", number(texture, "texCoord", 0)) == 0;
 }
 
 double read_normal_scale(const MtlLine& map) {

@@ -40,6 +40,10 @@ std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& libr
 glm::mat3x2 read_map_transform(const nlohmann::ordered_json& texture);
 glm::mat3x2 read_map_transform(const MtlLine& map);
 
+// Returns true if a texture in glTF uses the first set of UVs, by its own "texCoord" or that of
+// KHR_texture_transform, which takes precedence.
+bool uses_first_uvs(const nlohmann::ordered_json& texture);
+
 // Returns the factor of the normals of a map in MTL, its option -bm; 1 without it.
 double read_normal_scale(const MtlLine& map);
 

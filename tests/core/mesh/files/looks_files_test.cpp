@@ -563,6 +563,25 @@ TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
       (std::vector<std::string>{"KHR_texture_transform", "baseColorTexture texCoord", "occlusionTexture"}));
 }
 
+// KHR_texture_transform may name another set of UVs than the texture.
+TEST(MtlLines, have_no_textures_whose_transform_uses_other_uvs) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  library.textures = {R"({"source":0})"};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"
+                  R"({"KHR_texture_transform":{"texCoord":1}}}},"normalTexture":{"index":0,"texCoord":1,)"
+                  R"("extensions":{"KHR_texture_transform":{"texCoord":0}}}})";
+  const auto lines = mtl_lines(library, material);
+  EXPECT_EQ(text_with("map_Kd", lines), "");
+  EXPECT_EQ(text_with("norm", lines), "norm ");
+  EXPECT_EQ(lost_in_mtl(material), std::vector<std::string>{"baseColorTexture texCoord"});
+  const auto looks = surface_looks(library);
+  ASSERT_TRUE(looks.size() == 1 && looks[0]);
+  EXPECT_FALSE(looks[0]->maps[static_cast<size_t>(SurfaceMap::kBase)]);
+  EXPECT_TRUE(looks[0]->maps[static_cast<size_t>(SurfaceMap::kNormal)]);
+}
+
 TEST(MtlLines, have_the_opacity_of_the_alpha_mode) {
   SurfaceLibrary library;
   library.images = {{"paint.png", "", "image/png", kPng}};

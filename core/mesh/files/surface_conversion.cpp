@@ -349,6 +349,14 @@ class GltfMembers {
   const SurfaceJson& json_;
 };
 
+// Returns true if the emissive factor of a material is not zero, its default, which makes its texture black.
+bool glows(const SurfaceJson& material) {
+  if (!material.contains("emissiveFactor") || !material["emissiveFactor"].is_array()) return false;
+  return std::ranges::any_of(material["emissiveFactor"], [](const SurfaceJson& part) {
+    return part.is_number() && part.get<double>() > 0;
+  });
+}
+
 std::string colour_line(const char* keyword, const std::vector<double>& linear) {
   std::string line = keyword;
   for (size_t k = 0; k < 3; ++k)
@@ -417,7 +425,7 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   };
   add_map("map_Kd ", pbr, "baseColorTexture");
   if (translucent) add_map("map_d ", pbr, "baseColorTexture");
-  add_map("map_Ke ", json, "emissiveTexture");
+  if (glows(json)) add_map("map_Ke ", json, "emissiveTexture");
   add_map("norm " + scale_option(members.object("normalTexture")), json, "normalTexture");
   return lines;
 }
@@ -478,6 +486,7 @@ std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
     add(json["pbrMetallicRoughness"],
         {"baseColorFactor", "baseColorTexture", "metallicFactor", "roughnessFactor"});
   }
+  if (json.contains("emissiveTexture") && !glows(json)) lost.insert("emissiveTexture without emissiveFactor");
   return {lost.begin(), lost.end()};
 }
 

@@ -553,7 +553,8 @@ TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
   library.textures = {R"({"source":0})"};
   SurfaceMaterial& material = library.materials.emplace_back();
   material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}},)"
-                  R"("emissiveTexture":{"index":0,"texCoord":0},"occlusionTexture":{"index":0,"texCoord":1},)"
+                  R"("emissiveTexture":{"index":0,"texCoord":0},"emissiveFactor":[1,1,1],)"
+                  R"("occlusionTexture":{"index":0,"texCoord":1},)"
                   R"("normalTexture":{"index":0,"extensions":{"KHR_texture_transform":{"rotation":1}}}})";
   const auto lines = mtl_lines(library, material);
   EXPECT_EQ(text_with("map_Kd", lines), "");
@@ -561,6 +562,20 @@ TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
   EXPECT_EQ(
       lost_in_mtl(material),
       (std::vector<std::string>{"KHR_texture_transform", "baseColorTexture texCoord", "occlusionTexture"}));
+}
+
+// The default of the factor in glTF is black, that of MTL is white.
+TEST(MtlLines, have_no_emission_map_without_a_factor) {
+  SurfaceLibrary library;
+  library.images = {{"glow.png", "", "image/png", kPng}};
+  library.textures = {R"({"source":0})"};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  for (const std::string factor : {"", R"(,"emissiveFactor":[0,0,0])", R"(,"emissiveFactor":[0,0.5,0])"}) {
+    material.gltf = R"({"emissiveTexture":{"index":0})" + factor + "}";
+    const bool glows = factor.find("0.5") != std::string::npos;
+    EXPECT_EQ(text_with("map_Ke", mtl_lines(library, material)), glows ? "map_Ke " : "") << factor;
+    EXPECT_EQ(lost_in_mtl(material).size(), glows ? 0u : 1u) << factor;
+  }
 }
 
 // KHR_texture_transform may name another set of UVs than the texture.

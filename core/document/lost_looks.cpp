@@ -121,7 +121,7 @@ void LostLooks::add_materials(const Body& body, const Extract& extract, MeshForm
     const SurfaceMaterial& material = looks->surfaces()->materials[m];
     const auto members = is_gltf(format)              ? lost_in_gltf(*looks->surfaces(), material)
                          : format == MeshFormat::k3mf ? lost_in_3mf(material)
-                                                      : lost_in_mtl(material);
+                                                      : lost_in_mtl(*looks->surfaces(), material);
     if (members.empty()) continue;
     materials_.insert(&material);
     members_.insert(members.begin(), members.end());

@@ -450,22 +450,41 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials, MissingImage
 
 namespace {
 
-// Adds the members of a texture in glTF that MTL cannot express.
-void add_lost_of_texture(const std::string& key, const SurfaceJson& texture, std::set<std::string>& lost) {
+// Returns the sampler of a texture of a material in glTF, an empty object if there is none.
+SurfaceJson sampler_of(const SurfaceLibrary& library, const SurfaceJson& texture) {
+  const auto item = [](const SurfaceJson& of, const char* key, const std::vector<std::string>& texts) {
+    const bool known = of.is_object() && of.contains(key) && of[key].is_number_unsigned() &&
+                       of[key].get<uint64_t>() < texts.size();
+    return known ? SurfaceJson::parse(texts[of[key].get<size_t>()], nullptr, false) : SurfaceJson::object();
+  };
+  return item(item(texture, "index", library.textures), "sampler", library.samplers);
+}
+
+// Adds the members of a texture in glTF, and of its sampler, that MTL cannot express.
+void add_lost_of_texture(const SurfaceLibrary& library, const std::string& key, const SurfaceJson& texture,
+                         std::set<std::string>& lost) {
   const char* const kTransform = "KHR_texture_transform";
   if (!texture.is_object()) return;
   if (!uses_first_uvs(texture)) {
     lost.insert(key + " texCoord");
-  } else if (texture.contains("extensions") && texture["extensions"].is_object() &&
-             texture["extensions"].contains(kTransform) &&
-             json_number(texture["extensions"][kTransform], "rotation") != 0) {
+    return;
+  }
+  constexpr double kRepeat = 10497;
+  const SurfaceJson sampler = sampler_of(library, texture);
+  for (const char* const wrap : {"wrapS", "wrapT"}) {
+    if (sampler.is_object() && sampler.contains(wrap) && json_number(sampler, wrap) != kRepeat)
+      lost.insert(key + " " + wrap);
+  }
+  if (texture.contains("extensions") && texture["extensions"].is_object() &&
+      texture["extensions"].contains(kTransform) &&
+      json_number(texture["extensions"][kTransform], "rotation") != 0) {
     lost.insert(kTransform);
   }
 }
 
 }  // namespace
 
-std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
+std::vector<std::string> lost_in_mtl(const SurfaceLibrary& library, const SurfaceMaterial& material) {
   std::set<std::string> lost;
   const auto json = SurfaceJson::parse(material.gltf, nullptr, false);
   if (!json.is_object()) return {};
@@ -476,7 +495,7 @@ std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material) {
       } else if (!kept.contains(key)) {
         lost.insert(key);
       } else if (key.ends_with("Texture")) {
-        add_lost_of_texture(key, value, lost);
+        add_lost_of_texture(library, key, value, lost);
       }
     }
   };

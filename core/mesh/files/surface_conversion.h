@@ -50,7 +50,7 @@ GltfSurfaces gltf_surfaces(std::span<const GltfMaterial> materials,
 // in glTF. 3MF holds the base colour and the opacity of materials that are not metallic; images are no part
 // of its list. The lists omit Ka, Ks and Ni of MTL with the default values of Blender's exporter: Ka 1 1 1,
 // Ks 0.5 0.5 0.5, Ni 1.45 or 1.5.
-std::vector<std::string> lost_in_mtl(const SurfaceMaterial& material);
+std::vector<std::string> lost_in_mtl(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const SurfaceMaterial& material);
 std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material);
 

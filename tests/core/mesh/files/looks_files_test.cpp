@@ -482,7 +482,7 @@ TEST(GltfSurfaces, keep_the_transform_of_each_map_and_the_scale_of_normals) {
   const auto lines = mtl_lines(back, again);
   for (const MtlLine& line : material.mtl)
     EXPECT_EQ(text_with(line.text.substr(0, line.text.find(' ')), lines), line.text);
-  EXPECT_EQ(lost_in_mtl(again), std::vector<std::string>{});
+  EXPECT_EQ(lost_in_mtl(back, again), std::vector<std::string>{});
 }
 
 TEST(GltfSurfaces, without_a_description_are_no_metals) {
@@ -560,7 +560,7 @@ TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {
   EXPECT_EQ(text_with("map_Kd", lines), "");
   EXPECT_EQ(text_with("map_Ke", lines), "map_Ke ");
   EXPECT_EQ(
-      lost_in_mtl(material),
+      lost_in_mtl(library, material),
       (std::vector<std::string>{"KHR_texture_transform", "baseColorTexture texCoord", "occlusionTexture"}));
 }
 
@@ -574,8 +574,20 @@ TEST(MtlLines, have_no_emission_map_without_a_factor) {
     material.gltf = R"({"emissiveTexture":{"index":0})" + factor + "}";
     const bool glows = factor.find("0.5") != std::string::npos;
     EXPECT_EQ(text_with("map_Ke", mtl_lines(library, material)), glows ? "map_Ke " : "") << factor;
-    EXPECT_EQ(lost_in_mtl(material).size(), glows ? 0u : 1u) << factor;
+    EXPECT_EQ(lost_in_mtl(library, material).size(), glows ? 0u : 1u) << factor;
   }
+}
+
+TEST(MtlLines, report_textures_that_do_not_repeat) {
+  SurfaceLibrary library;
+  library.images = {{"paint.png", "", "image/png", kPng}};
+  library.samplers = {R"({"magFilter":9729,"wrapS":10497})", R"({"wrapS":33071,"wrapT":10497})"};
+  library.textures = {R"({"source":0})", R"({"source":0,"sampler":0})", R"({"source":0,"sampler":1})"};
+  SurfaceMaterial& material = library.materials.emplace_back();
+  material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}},"normalTexture":{"index":0}})";
+  EXPECT_EQ(lost_in_mtl(library, material), std::vector<std::string>{});
+  material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":2}},"normalTexture":{"index":9}})";
+  EXPECT_EQ(lost_in_mtl(library, material), std::vector<std::string>{"baseColorTexture wrapS"});
 }
 
 // KHR_texture_transform may name another set of UVs than the texture.
@@ -590,7 +602,7 @@ TEST(MtlLines, have_no_textures_whose_transform_uses_other_uvs) {
   const auto lines = mtl_lines(library, material);
   EXPECT_EQ(text_with("map_Kd", lines), "");
   EXPECT_EQ(text_with("norm", lines), "norm ");
-  EXPECT_EQ(lost_in_mtl(material), std::vector<std::string>{"baseColorTexture texCoord"});
+  EXPECT_EQ(lost_in_mtl(library, material), std::vector<std::string>{"baseColorTexture texCoord"});
   const auto looks = surface_looks(library);
   ASSERT_TRUE(looks.size() == 1 && looks[0]);
   EXPECT_FALSE(looks[0]->maps[static_cast<size_t>(SurfaceMap::kBase)]);

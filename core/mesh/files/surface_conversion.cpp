@@ -569,10 +569,13 @@ std::vector<std::string> lost_in_3mf(const SurfaceMaterial& material) {
     }
   };
   add(json, {"name", "pbrMetallicRoughness", "alphaMode", "extras"});
-  if (json.is_object() && json.contains("pbrMetallicRoughness")) {
-    const SurfaceJson& pbr = json["pbrMetallicRoughness"];
-    add(pbr, {"baseColorFactor", "metallicFactor"});
-    if (json_number(pbr, "metallicFactor") != 0) lost.insert("metallicFactor");  // 3MF has no metals
+  if (json.is_object()) {
+    if (json.contains("pbrMetallicRoughness"))
+      add(json["pbrMetallicRoughness"], {"baseColorFactor", "metallicFactor"});
+    // 3MF has no metals. Materials of glTF are metallic by default.
+    const SurfaceJson pbr = metallic_roughness(json);
+    const bool has_factor = pbr.is_object() && pbr.contains("metallicFactor");
+    if (!has_factor || json_number(pbr, "metallicFactor") != 0) lost.insert("metallicFactor");
   }
   return {lost.begin(), lost.end()};
 }
@@ -583,6 +586,9 @@ std::vector<std::string> lost_in_gltf(const SurfaceLibrary& library, const Surfa
   constexpr std::array<std::string_view, 8> kKept{"kd", "d", "tr", "ns", "pr", "pm", "ke", "illum"};
   add_lost_statements(material, kKept, lost);
   const MtlStatements mtl(material);
+  // glTF clamps the emission to 1.
+  const auto emission = mtl.colour("Ke");
+  if (emission && std::max({emission->x, emission->y, emission->z}) > 1) lost.insert("Ke above 1");
   for (const MtlLine& line : material.mtl) {
     if (!line.image) continue;
     const SurfaceImage& image = library.images[*line.image];

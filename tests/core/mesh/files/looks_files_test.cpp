@@ -538,6 +538,8 @@ TEST(LostInGltf, omits_default_values_of_the_exporter) {
   EXPECT_EQ(lost_in_3mf(material), (std::vector<std::string>{"Ke", "Ns"}));
   for (const char* line : {"Ka 0 0 0", "ks 0.5", "Ni"}) material.mtl.push_back({line});
   EXPECT_EQ(lost_in_gltf(library, material), (std::vector<std::string>{"Ka", "Ni", "ks"}));
+  material.mtl = {{"Ke 0 2 0", {}}};
+  EXPECT_EQ(lost_in_gltf(library, material), std::vector<std::string>{"Ke above 1"});
 }
 
 TEST(LostIn3mf, has_factors_without_a_counterpart) {
@@ -545,6 +547,8 @@ TEST(LostIn3mf, has_factors_without_a_counterpart) {
   material.gltf = R"({"name":"red","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1],"metallicFactor":0,)"
                   R"("roughnessFactor":0.5},"emissiveFactor":[1,1,1]})";
   EXPECT_EQ(lost_in_3mf(material), (std::vector<std::string>{"emissiveFactor", "roughnessFactor"}));
+  material.gltf = R"({"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}})";  // metallic by default
+  EXPECT_EQ(lost_in_3mf(material), std::vector<std::string>{"metallicFactor"});
 }
 
 TEST(MtlLines, report_textures_of_other_uvs_and_rotated_ones) {

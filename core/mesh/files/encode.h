@@ -73,11 +73,11 @@ void encode_stl(const MeshView& mesh, const ByteSink& sink);
 // Binary glTF 2.0: a node a mesh with its name, with a primitive for each material in use; the triangles of
 // the primitives follow one another. Positions are rounded to single precision relative to the middle of the
 // mesh, and colours to 16 bits of linear light. Vertices with different looks are separate. Only the kinds of
-// looks of the mesh are written; faces without UVs get zeros, faces without normals their own. Tangents and
-// custom attributes, "_NAME" with distinct names, are floats. Materials have the surfaces, whose images are
-// embedded byte for byte; meshes share them. A collider is a node after that of its mesh, at the same place;
-// the mass properties become extras of the node of the mesh, relative to its origin. Preconditions: the
-// extent is within the range of float, and the file has fewer than 2^32 bytes.
+// looks of the mesh are written; faces without UVs get zeros, faces without normals their own. Normals get
+// unit length. Tangents and custom attributes, "_NAME" with distinct names, are floats. Materials have the
+// surfaces, whose images are embedded byte for byte; meshes share them. A collider is a node after that of
+// its mesh, at the same place; the mass properties become extras of the node of the mesh, relative to its
+// origin. Preconditions: the extent is within the range of float, and the file has fewer than 2^32 bytes.
 void encode_glb(std::span<const MeshView> meshes, const ByteSink& sink);
 // Text glTF with the numbers in base 64. Same preconditions.
 void encode_gltf(std::span<const MeshView> meshes, const ByteSink& sink);

@@ -78,6 +78,15 @@ std::vector<Group> by_material(const MeshView& mesh) {
   return groups;
 }
 
+// Returns a vector with the length 1 that glTF requires of normals; any for zero. Keeps the bits of one that
+// has it.
+glm::vec3 unit_vector(const glm::vec3& v) {
+  constexpr double kSlack = 1e-6;
+  const double length = glm::length(Vec3(v));
+  if (!(length > 0)) return {0, 1, 0};
+  return std::abs(length - 1) <= kSlack ? v : glm::vec3(Vec3(v) / length);
+}
+
 OrderedJson list_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 // Writes U+FFFD for bytes that are not UTF-8.
@@ -95,7 +104,9 @@ struct BufferPart {
 class GltfMesh {
  public:
   explicit GltfMesh(const MeshView& mesh)
-      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true, true), groups_(by_material(mesh)) {}
+      : mesh_(mesh), floats_(mesh.positions), vertices_(mesh, true, true), groups_(by_material(mesh)) {
+    for (glm::vec3& normal : vertices_.normals) normal = unit_vector(normal);
+  }
 
   // Lists the materials in use, in their order; nullopt for one without a name or a description.
   std::vector<std::optional<GltfMaterial>> materials() const {

@@ -246,6 +246,19 @@ TEST(Attributes, of_gltf_are_those_of_each_key) {
   EXPECT_EQ(corner_values(soup->looks.attributes[1].channel).at(0).x, 0);
 }
 
+TEST(NormalsOfGltf, have_unit_length) {
+  AttributeSample sample = one_triangle();
+  sample.soup.looks.normals = {{{0, 0, 5}}, {{0, 0, 0}}};
+  const std::string bytes = encoded(sample.view(), MeshFormat::kGlb);
+  const auto has_normal = [&](float z) {
+    std::string normal;
+    for (const float number : {0.0f, 0.0f, z}) append_little(number, normal);
+    return bytes.find(normal) != std::string::npos;
+  };
+  EXPECT_FALSE(has_normal(5));
+  EXPECT_TRUE(has_normal(1));
+}
+
 // A mirroring transform reverses the sign of the bitangent, so that cross(normal, tangent) * sign is the
 // transformed bitangent.
 TEST(TangentsOfGltf, keep_the_bitangent_under_transforms) {

@@ -25,8 +25,8 @@ double corner_weight(const Triangle& t, size_t i) {
   return lengths > 0 ? glm::length(glm::cross(u, w)) / lengths : 0;
 }
 
-// UVs in metres in the plane of a face, the same for all faces of a plane.
-std::array<glm::vec2, 3> plane_uvs(const Triangle& t) {
+// UVs in metres in the plane of a face, the same for all faces of a plane. They do not mirror an image.
+std::array<glm::vec2, 3> plane_uvs(const Triangle& t, bool v_points_down) {
   const Vec3 n = unit_normal_of(t);
   const Vec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
   const int flattest = size.y <= size.x && size.y <= size.z ? 1 : size.x <= size.z ? 0 : 2;
@@ -37,7 +37,10 @@ std::array<glm::vec2, 3> plane_uvs(const Triangle& t) {
   if (!(length > 0)) return {glm::vec2(0), glm::vec2(0), glm::vec2(0)};
   const Vec3 u = across / length, v = glm::cross(n, u);
   std::array<glm::vec2, 3> uvs;
-  for (size_t i = 0; i < 3; ++i) uvs[i] = glm::vec2(glm::dvec2(glm::dot(t[i], u), glm::dot(t[i], v)));
+  for (size_t i = 0; i < 3; ++i) {
+    const double up = glm::dot(t[i], v);
+    uvs[i] = glm::vec2(glm::dvec2(glm::dot(t[i], u), v_points_down ? 1 - up : up));
+  }
   return uvs;
 }
 
@@ -77,7 +80,7 @@ class Evaluation {
         add(out_.uv_sets[set], {glm::vec2(looks_.uv(set, points[0])), glm::vec2(looks_.uv(set, points[1])),
                                 glm::vec2(looks_.uv(set, points[2]))});
       } else if (is_wall) {
-        add(out_.uv_sets[set], plane_uvs(t));
+        add(out_.uv_sets[set], plane_uvs(t, out_.v_points_down));
       } else {
         out_.uv_sets[set].corners.push_back({kNone, kNone, kNone});
       }

@@ -24,7 +24,7 @@ enum class LookNormals : uint8_t {
 // Returns the UVs and unit normals of faces of a body, evaluated from its looks; empty if the body has none.
 // With LookNormals::kSmooth and kAll also returns the unit tangents and custom attributes of loaded faces.
 // Triangles and corners have the order of extract_faces(). Walls of a body with UVs get UVs in metres,
-// undistorted and continuous in a plane. Precondition: the faces are live. O(n log n).
+// neither distorted nor mirrored, and continuous in a plane. Precondition: the faces are live. O(n log n).
 CornerLooks looks_of(const Body& body, std::span<const FaceId> faces, LookNormals normals);
 
 // The origin of a face: the loaded face that contains it, by its number in the file, and the barycentric

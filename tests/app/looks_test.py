@@ -387,13 +387,22 @@ class Looks(unittest.TestCase):
         report = self.cut("--solid", "--format", "glb", mesh="box.obj")
         self.assertTrue(all(piece["closed"] for piece in report["pieces"]))
         self.cut(mesh="out/piece-0000.glb", out="back")
-        walls = [face for material, face in read_obj(self.read("back/piece-0000.obj").decode()) if material == "cut"]
-        self.assertTrue(walls)
-        for face in walls:
-            self.assertTrue(all(abs(sum(k * k for k in normal) - 1) < 1e-3 for _, _, normal in face))
-            (p, s, _), (q, t, _), _ = face
-            self.assertAlmostEqual(sum((a - b) ** 2 for a, b in zip(p, q)), sum((a - b) ** 2 for a, b in zip(s, t)),
-                                   delta=1e-5)
+        subprocess.run([KERF, "prepare", "box.obj", "--subdivide", "midpoint", "--out", "box.glb"], cwd=self.folder, check=True,
+                       capture_output=True)
+        self.cut("--solid", mesh="box.glb", out="from-glb")
+        for folder in ("back", "from-glb"):
+            faces = read_obj(self.read(folder + "/piece-0000.obj").decode())
+            walls = [face for material, face in faces if material == "cut"]
+            self.assertTrue(walls)
+            areas = []  # in the UVs, twice; negative where an image is mirrored
+            for face in walls:
+                self.assertTrue(all(abs(sum(k * k for k in normal) - 1) < 1e-3 for _, _, normal in face))
+                (p, s, _), (q, t, _), (_, u, _) = face
+                self.assertAlmostEqual(sum((a - b) ** 2 for a, b in zip(p, q)), sum((a - b) ** 2 for a, b in zip(s, t)),
+                                       delta=1e-5)
+                areas.append((t[0] - s[0]) * (u[1] - s[1]) - (t[1] - s[1]) * (u[0] - s[0]))
+            self.assertGreater(min(areas), -1e-6, folder)
+            self.assertGreater(sum(areas), 1e-3, folder)
 
     def test_provenance_refers_to_the_source(self):
         for form in ("obj", "glb"):

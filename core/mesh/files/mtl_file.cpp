@@ -240,6 +240,12 @@ std::vector<std::filesystem::path> files_of_obj(const std::filesystem::path& fil
     std::string_view rest = line;
     rest = trimmed(is_first ? without_byte_order_mark(rest) : rest);
     if (!rest.starts_with("mtllib") || take_word(rest) != "mtllib" || rest.empty()) continue;
+    std::string joined(rest);
+    for (std::string next; joined.ends_with('\\') && std::getline(obj, next);) {
+      joined.back() = ' ';
+      joined += trimmed(next);
+    }
+    rest = joined;
     if (std::ranges::find(statements, rest) == statements.end()) statements.emplace_back(rest);
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";

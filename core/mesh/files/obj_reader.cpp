@@ -131,7 +131,12 @@ class ObjReader {
       material_name_ = scanner_.rest_of_line();
       material_.reset();
     } else if (keyword == "mtllib") {
-      const std::string name(scanner_.rest_of_line());
+      std::string name(scanner_.rest_of_line());
+      while (name.ends_with('\\')) {
+        name.back() = ' ';
+        scanner_.skip_line();
+        name += scanner_.rest_of_line();
+      }
       if (!name.empty() && libraries_.size() < kMaxLibraries &&
           std::find(libraries_.begin(), libraries_.end(), name) == libraries_.end())
         libraries_.push_back(name);

@@ -14,11 +14,12 @@ namespace kerf {
 // the first vertex or, if negative, back from the last one. Objects and groups become parts. Material
 // libraries and their images are read from `folder`, the folder of the file, and below; if it is empty, no
 // other files are read. Points, lines and free-form geometry are ignored with a warning, and so are UVs and
-// normals that are malformed or missing. As in common readers, '#' begins a comment at the start of a line
-// and after numbers, but is part of the names of o, g and usemtl, which extend to the end of the line. Vertex
-// colours range to 1 or to 255 (see ColourNumbers). A face that refers to a missing vertex or has fewer
-// than three corners is dropped and counted. A word in place of a number is an error. Linear in the number of
-// bytes, except for large polygons (see Triangulator). `progress` may be null.
+// normals that are malformed or missing. A backslash at the end of a line joins it with the next one, except
+// in the names of o and usemtl. As in common readers, '#' begins a comment at the start of a line and after
+// numbers, but is part of the names of o, g and usemtl, which extend to the end of the line. Vertex colours
+// range to 1 or to 255 (see ColourNumbers). A face that refers to a missing vertex or has fewer than three
+// corners is dropped and counted. A word in place of a number is an error. Linear in the number of bytes,
+// except for large polygons (see Triangulator). `progress` may be null.
 Result<Soup> read_obj(std::string_view bytes, const std::string& file_name, const Progress* progress,
                       const std::filesystem::path& folder);
 // Likewise without other files.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/mesh/files/mtl_file.h"
 #include "tests/core/mesh/files/sample_files.h"
 
 namespace kerf {
@@ -99,6 +100,22 @@ TEST(ObjReader, keeps_hash_signs_in_names_of_every_kind) {
   EXPECT_EQ(part_names(soup), (std::vector<std::string>{"rig #1 # a", "left#1", "#2", "shared", "last#3"}));
   EXPECT_EQ(soup.material_names, (std::vector<std::string>{"br.png^[colorize:#4ab:255 # b", "#4ab"}));
   EXPECT_EQ(soup.triangles.size(), 2u);
+}
+
+TEST(ObjReader, joins_the_lines_of_a_list_of_libraries) {
+  const test::TemporaryFolder folder;
+  const std::string text = "mtllib a.mtl \\\r\n  b.mtl\r\n" + kTriangle + "usemtl blue\nf 1 2 3\n";
+  test::write_text(folder / "t.obj", text);
+  test::write_text(folder / "a.mtl", "newmtl red\nKd 1 0 0\n");
+  test::write_text(folder / "b.mtl", "newmtl blue\nKd 0 0 1\n");
+  const Result<Soup> soup = read_obj(text, "t.obj", nullptr, folder.path());
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_TRUE(soup->warnings.empty());
+  ASSERT_NE(soup->surfaces, nullptr);
+  ASSERT_EQ(soup->surfaces->materials[0].mtl.size(), 1u);
+  EXPECT_EQ(soup->surfaces->materials[0].mtl[0].text, "Kd 0 0 1");
+  EXPECT_EQ(files_of_obj(folder / "t.obj"),
+            (std::vector<std::filesystem::path>{folder / "a.mtl", folder / "b.mtl"}));
 }
 
 TEST(ObjReader, accepts_a_missing_name_at_the_end_of_the_file) {

@@ -120,7 +120,7 @@ void add_compare_command(CLI::App& app, Invocation& invocation) {
       "compare", "Measure how far the surface of one mesh is from another, as JSON on standard output");
   auto o = std::make_shared<CompareOptions>();
   command->add_option("A", o->meshes[0], "The mesh file to measure, or - for standard input")->required();
-  command->add_option("B", o->meshes[1], "The reference mesh file")->required();
+  command->add_option("B", o->meshes[1], "The reference mesh file, or -, unless A is")->required();
   command->add_option("--align", o->align,
                       "Motion of A before it is measured: none, centre (equal centroids) or icp (least "
                       "squares of the distances) (none)");

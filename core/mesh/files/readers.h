@@ -44,12 +44,12 @@ Result<Soup> read_off(std::string_view bytes, const std::string& file_name,
 bool is_exact_binary_stl(std::string_view bytes);
 
 // Reads an STL file, binary or text: it is text if it starts with "solid" or "facet" and contains no zero
-// byte. The result has three positions per triangle, which are not welded. Normals and attributes are
-// ignored, and several solids are joined into one soup. Keywords are case-insensitive. Accepted with a
-// warning: in text, "end loop" or "end facet", solids that are not ended or ended twice, "endsolidNAME", and
-// further lines between facets, although a facet itself must be complete; in binary, a wrong number of
-// triangles, if the size of the file is that of whole triangles whose corners are finite, and other bytes
-// after the last triangle. Linear in the number of bytes. `progress` may be null.
+// byte. The result has three positions per triangle, which are not welded. Normals are ignored, and so are
+// attributes, with a warning; several solids are joined into one soup. Keywords are case-insensitive.
+// Accepted with a warning: in text, "end loop" or "end facet", solids that are not ended or ended twice,
+// "endsolidNAME", and further lines between facets, although a facet itself must be complete; in binary, a
+// wrong number of triangles, if the size of the file is that of whole triangles whose corners are finite, and
+// other bytes after the last triangle. Linear in the number of bytes. `progress` may be null.
 Result<Soup> read_stl(std::string_view bytes, const std::string& file_name,
                       const Progress* progress = nullptr);
 

@@ -19,6 +19,7 @@ constexpr size_t kCountAt = 80;
 constexpr size_t kHeaderBytes = 84;
 constexpr size_t kNormalBytes = 12;
 constexpr size_t kTriangleBytes = 50;
+constexpr size_t kAttributeAt = 48;  // in a triangle
 
 uint32_t binary_count(std::string_view bytes) {
   KERF_ASSERT(bytes.size() >= kHeaderBytes);
@@ -102,12 +103,16 @@ Result<Soup> read_binary(std::string_view bytes, const std::string& file_name, c
                             ", but the file is as long as " + grouped(room) + "; all of them were read.");
   }
   const size_t count = wrong_count ? room : announced;
+  bool has_attributes = false;
   soup.positions.reserve(3 * count);
   soup.triangles.reserve(count);
   for (size_t i = 0; i < count; ++i) {
     if (scanner.cancelled()) return cancelled();
-    add_triangle(load_corners(scanner.take(kTriangleBytes) + kNormalBytes), soup);
+    const char* const triangle = scanner.take(kTriangleBytes);
+    add_triangle(load_corners(triangle + kNormalBytes), soup);
+    has_attributes = has_attributes || load<uint16_t>(triangle + kAttributeAt, std::endian::little) != 0;
   }
+  if (has_attributes) soup.warnings.emplace_back("Attributes of triangles, such as colours, were ignored.");
   if (scanner.left() > 0) {
     soup.warnings.push_back(std::to_string(scanner.left()) +
                             (scanner.left() == 1 ? " byte after the last triangle was ignored."

@@ -21,6 +21,16 @@ TEST(StlReader, warns_of_bytes_after_the_last_triangle) {
   EXPECT_EQ(soup->warnings, (std::vector<std::string>{"1 byte after the last triangle was ignored."}));
 }
 
+TEST(StlReader, reports_attributes_of_triangles) {
+  std::string bytes = binary_sample();
+  bytes.back() = '\x80';  // the colour black in VisCAM
+  const Result<Soup> soup = read_stl(bytes, "t.stl");
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->warnings,
+            std::vector<std::string>{"Attributes of triangles, such as colours, were ignored."});
+  EXPECT_TRUE(read_stl(binary_sample(), "t.stl")->warnings.empty());
+}
+
 TEST(StlReader, rejects_a_truncated_binary_file) {
   std::string bytes = binary_sample();
   bytes.pop_back();

@@ -70,9 +70,9 @@ Result<Soup> read_ply(std::string_view bytes, const std::string& file_name,
 // all its nodes with their transforms, each a part with the name of the node; also strips and fans. Materials
 // have names; they and their textures and samplers are kept as JSON, their images as bytes (see
 // SurfaceLibrary). Reads normals, tangents, up to four sets of UVs and custom attributes, "_NAME". Ignores
-// animations; with a warning, ignores further UVs and colours and variants of materials, skips points and
-// lines, and reads meshes with a skin or morph targets in their rest pose. Reads sparse accessors, quantised
-// attributes (KHR_mesh_quantization) and instances, each a part with the name of its node
+// animations; with a warning, ignores other scenes, further UVs and colours and variants of materials, skips
+// points and lines, and reads meshes with a skin or morph targets in their rest pose. Reads sparse accessors,
+// quantised attributes (KHR_mesh_quantization) and instances, each a part with the name of its node
 // (EXT_mesh_gpu_instancing). Rejects Draco, meshopt and other required extensions by name. Buffers and images
 // are data URIs or files in `folder`, the folder of the file, and below; if it is empty, no other files are
 // read. An index that is out of range makes an invalid face. Linear in the number of bytes and of triangles

@@ -130,6 +130,17 @@ TEST(Gltf, reports_sets_and_variants_that_are_not_read) {
   EXPECT_TRUE(soup_of(square()).warnings.empty());
 }
 
+TEST(Gltf, reports_scenes_that_are_not_read) {
+  json file = square();
+  file["nodes"].push_back(json::parse(R"({"mesh": 0, "name": "other"})"));
+  file["scenes"].push_back(json::parse(R"({"nodes": [1]})"));
+  file["scene"] = 1;
+  const Soup soup = soup_of(file);
+  ASSERT_EQ(soup.parts.size(), 1u);
+  EXPECT_EQ(soup.parts[0].name, "other");
+  EXPECT_EQ(soup.warnings, std::vector<std::string>{"Only one of 2 scenes was read, the default one."});
+}
+
 TEST(Gltf, is_fast_for_many_nodes_with_many_primitives_without_triangles) {
   constexpr int kMany = 20'000;
   json file = square();

@@ -24,7 +24,7 @@ namespace kerf {
 namespace {
 
 // Revision of Kerf's own motion code. Increase it with every change that alters the bits of a motion.
-constexpr int kRevision = 4;
+constexpr int kRevision = 5;
 
 // Returns the inverse of the inertia in world axes.
 glm::dmat3 inverse_inertia(const RigidFrame& frame, const Placement& placement) {

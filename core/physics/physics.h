@@ -20,7 +20,7 @@
 namespace kerf {
 
 // Returns the kind of machine on which motion is bit-identical: processor, C library, solver, and revision
-// of Kerf's own part, such as "x86_64 glibc-2.36 bullet-3.24 motion-4". The solver uses functions of the C
+// of Kerf's own part, such as "x86_64 glibc-2.36 bullet-3.24 motion-5". The solver uses functions of the C
 // library whose last bits may differ between kinds, and Debian's build of it for arm64 contains fused
 // multiply-adds: motion differs there from that on x86-64 (tests/run --arm64).
 std::string machine_kind();

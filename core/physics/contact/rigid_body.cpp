@@ -1,6 +1,7 @@
 #include "core/physics/contact/rigid_body.h"
 
 #include <LinearMath/btMatrix3x3.h>
+#include <algorithm>
 
 #include "core/base/assert.h"
 #include "core/world/body_mass.h"
@@ -9,7 +10,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kMinInertia = 1e-4;  // share of the largest one
+constexpr double kMinInertia = 1e-4;    // share of the largest one
+constexpr double kCoarseInertia = 1e6;  // kg m^2, above which the tolerance of the axes does not grow
 
 // Sums over the pieces that are sheets, and the mass properties of the others.
 struct Sums {
@@ -58,12 +60,13 @@ glm::dmat3 resolved_inertia(const MassProperties& whole, const Bounds& bounds) {
   return cuboid;
 }
 
-// Computes the principal axes by Jacobi rotations.
+// Computes the principal axes by Jacobi rotations. Bullet's tolerance is relative to the trace, so it must
+// stay far below 1.
 void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   const auto& m = inertia;
   btMatrix3x3 matrix(m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]), turn;
   const double largest = std::max({m[0][0], m[1][1], m[2][2]});
-  matrix.diagonalize(turn, 1e-12 * largest, 50);
+  matrix.diagonalize(turn, 1e-12 * std::min(largest, kCoarseInertia), 50);
   frame.inertia = {matrix[0][0], matrix[1][1], matrix[2][2]};
   btQuaternion q;
   turn.getRotation(q);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/edit/body_edit.h"
 #include "core/world/body_mass.h"
@@ -82,6 +83,24 @@ TEST(RigidFrame, of_a_solid_body_has_solid_mass_properties) {
   EXPECT_NEAR(inertia[0], mass / 12 * 5, 1e-9);
   EXPECT_NEAR(inertia[1], mass / 12 * 10, 1e-9);
   EXPECT_NEAR(inertia[2], mass / 12 * 13, 1e-9);
+}
+
+// Oblique boxes with the inertia of parts of millimetres to a hundred metres.
+TEST(RigidFrame, has_the_principal_inertia_at_every_size) {
+  const glm::dquat turn = glm::normalize(glm::dquat(1, 0.7, -0.4, 0.3));
+  for (const double size : {1e-3, 1.0, 100.0}) {
+    SCOPED_TRACE(size);
+    Soup box = test::brick({1, 2, 3});
+    for (Vec3& p : box.positions) p = turn * (size * p);
+    Body body = make_body("box", test::build(box));
+    body.solid = true;
+    update_mass_properties(body);
+    const RigidFrame frame = rigid_frame(body);
+    const double unit = 6 * body.sheet.density * std::pow(size, 5) / 12;
+    std::array<double, 3> inertia{frame.inertia.x, frame.inertia.y, frame.inertia.z};
+    std::sort(inertia.begin(), inertia.end());
+    for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(inertia[i] / unit, (std::array{5.0, 10.0, 13.0}[i]), 1e-8);
+  }
 }
 
 // A solid box of which a sheet, with a label of its own, is a part.

@@ -89,7 +89,8 @@ class Physics {
   // each once. `carried`: bodies that are part of others, without contacts or mass of their own; ascending.
   Delta tick(World& world, bool under_beam = false, std::span<const KinematicBody> guided = {},
              std::span<const BodyId> carried = {});
-  // Prepares the next tick: builds its colliders, computes their masses, finds the intact joints.
+  // Prepares the next tick: builds its colliders and finds the intact joints. The bodies keep the masses that
+  // they have.
   void prepare(const World& world, std::span<const BodyId> carried = {});
   // Returns true if the next tick builds a collider of this body and computes its mass.
   bool needs_collider(const World& world, BodyId id, bool under_beam) const;

@@ -103,6 +103,10 @@ Result<Delta> DuplicatePiece::run(World& world, uint32_t generation, const Progr
   Delta delta;
   const BodyId copy = duplicate(world, piece, generation, delta);
   world.body(copy).placement = to;
+  const double stored = world.body(copy).heat.stored(world.body(copy).mesh);
+  EnergyLedger& ledger = world.edit_energy();
+  ledger.emitted += stored;
+  ledger.absorbed += stored;
   return delta;
 }
 

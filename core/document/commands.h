@@ -120,7 +120,7 @@ struct MovePiece {
 };
 void describe(Fields& f, MovePiece& c);
 
-// Adds a copy of a piece as a body of its own at a placement.
+// Adds a copy of a piece as a body of its own at a placement. The energy of its faces counts as absorbed.
 struct DuplicatePiece {
   PieceId piece;
   Placement to;

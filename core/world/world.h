@@ -136,7 +136,8 @@ Result<Body> make_body(std::string name, BuiltMesh built, const Progress* progre
 
 // Balance of the energy emitted by beams (J): emitted = absorbed + escaped. Energy that was absorbed or came
 // from burning is stored in faces (FaceHeat::stored), was removed with faces or bodies (see ejected_energy),
-// or was lost to the environment.
+// or was lost to the environment. Heat that the geometric model leaves at rims, and that of duplicated
+// pieces, counts as emitted and absorbed.
 struct EnergyLedger {
   double emitted = 0;
   double absorbed = 0;  // by faces

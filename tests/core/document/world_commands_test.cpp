@@ -3,6 +3,7 @@
 #include "core/document/document.h"
 #include "core/document/journal.h"
 #include "core/world/world.h"
+#include "tests/support/energy.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -35,6 +36,23 @@ TEST(DeletePiece, keeps_the_balance_of_energy) {
   EXPECT_EQ(ejected_energy(document.world()), 5);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   EXPECT_EQ(ejected_energy(document.world()), 2);
+}
+
+TEST(DuplicatePiece, keeps_the_balance_of_energy) {
+  World world = test::world_of(test::brick({1, 2, 3}));
+  Body& body = test::only_body(world);
+  const BodyId id = world.ids().front();
+  body.heat.set_energy(body.mesh, FaceId(0), 3);
+  world.edit_energy().emitted = world.edit_energy().absorbed = 3;
+  Document document(std::move(world));
+  ASSERT_TRUE(document.apply(DuplicatePiece{{id, 0}, {{5, 0, 0}, {1, 0, 0, 0}}}).ok());
+  EXPECT_EQ(document.world().energy().absorbed, 6);
+  test::expect_closed_ledger(document.world(), 1e-12);
+  ASSERT_TRUE(document.apply(DeletePiece{{document.world().ids().back(), 0}}).ok());
+  EXPECT_LE(ejected_energy(document.world()), document.world().energy().absorbed);
+  test::expect_closed_ledger(document.world(), 1e-12);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_EQ(document.world().energy().absorbed, 3);
 }
 
 }  // namespace

@@ -361,8 +361,7 @@ Environment default_environment(const World& world, const FileFrame& frame) {
 
 Environment fitting_environment(const World& world, const FileFrame& frame) {
   Environment around = world.environment();
-  if (around.gravity == Vec3(0)) return around;
-  if (!around.ground) return default_environment(world, frame);
+  if (around.gravity != Vec3(0) && !around.ground) return default_environment(world, frame);
   const double metre = 1 / metres_per_unit(frame.unit);
   if (around.metre == metre) return around;
   around.gravity *= metre / around.metre;

@@ -211,8 +211,8 @@ double height_of_drawn_ground(const World& world, UpAxis up);
 // The environment with the drawn ground, and earth gravity against the up axis in the unit of the file.
 Environment default_environment(const World& world, const FileFrame& frame);
 
-// The environment for simulation: that of the world, with gravity in the unit of the file; the default one
-// if there is gravity and no ground yet.
+// The environment for simulation: that of the world, with gravity and the lengths of contact in the unit of
+// the file; the default one if there is gravity and no ground yet.
 Environment fitting_environment(const World& world, const FileFrame& frame);
 
 inline constexpr float kUsualHeight = 900;  // of a frame, pixels; same value in line.glsl

@@ -33,8 +33,18 @@ TEST(DrawnGround, custom_gravity_keeps_its_value_in_metres_when_the_unit_changes
   const Environment moon = fitting_environment(world, frame);
   EXPECT_NEAR(moon.gravity.y, -1620, 1e-9);
   EXPECT_EQ(moon.ground, -60);
+}
+
+TEST(DrawnGround, lengths_of_contact_follow_the_unit_without_gravity) {
+  World world = test::world_of_all({test::sphere(6, 8, 50)});
+  FileFrame frame;
   world.set_environment({.gravity = Vec3(0), .ground = std::nullopt});
-  EXPECT_EQ(fitting_environment(world, frame), world.environment()) << "without gravity";
+  EXPECT_EQ(fitting_environment(world, frame), world.environment());
+  frame.unit = FileUnit::kMillimetre;
+  const Environment floating = fitting_environment(world, frame);
+  EXPECT_EQ(floating.gravity, Vec3(0));
+  EXPECT_FALSE(floating.ground);
+  EXPECT_NEAR(floating.metre, 1000, 1e-9);
 }
 
 }  // namespace

@@ -309,7 +309,9 @@ void LivePreview::follow(const World& world, const std::vector<PieceRow>& pieces
   Wanted now{{}, wanted};
   for (const PieceRow& row : pieces) now.pieces.push_back(row.id);
   if (wanted_ == now && !waits_) return;
-  if (wanted_ && wanted_->pieces != now.pieces) shown_.reset();
+  if (wanted_ && (wanted_->pieces != now.pieces || wanted_->preparation.tool != wanted.tool ||
+                  wanted_->preparation.scheme != wanted.scheme))
+    shown_.reset();
   wanted_ = std::move(now);
   waits_ = job_ != nullptr;
   if (job_) job_->stopped = true;

@@ -65,6 +65,17 @@ TEST_F(LivePreviewTest, stays_until_the_next_result_but_not_for_another_piece) {
   EXPECT_EQ(preview_.shown()->wire->parts.size(), 1u);
 }
 
+TEST_F(LivePreviewTest, does_not_stay_for_another_tool_or_scheme) {
+  settle({.faces = 500});
+  ASSERT_NE(preview_.shown(), nullptr);
+  follow({.tool = Tool::kSubdivide, .faces = 500});
+  EXPECT_EQ(preview_.shown(), nullptr);
+  settle({.tool = Tool::kSubdivide, .faces = 500});
+  ASSERT_NE(preview_.shown(), nullptr);
+  follow({.tool = Tool::kSubdivide, .faces = 500, .scheme = Subdivision::kSqrt3});
+  EXPECT_EQ(preview_.shown(), nullptr);
+}
+
 TEST_F(LivePreviewTest, is_recomputed_for_another_world_after_being_discarded) {
   settle({.tool = Tool::kSubdivide});
   follow({.tool = Tool::kSubdivide, .times = 2});

@@ -2,8 +2,8 @@
 
 #include <LinearMath/btMatrix3x3.h>
 #include <algorithm>
+#include <cmath>
 
-#include "core/base/assert.h"
 #include "core/world/body_mass.h"
 
 namespace kerf {
@@ -74,6 +74,12 @@ void diagonalise(const glm::dmat3& inertia, RigidFrame& frame) {
   frame.inertia = glm::max(frame.inertia, Vec3(kMinInertia * largest));
 }
 
+// Returns true if the moments and their inverses are finite and positive.
+bool is_usable(const Vec3& inertia) {
+  const auto usable = [](double moment) { return std::isnormal(moment) && moment > 0; };
+  return usable(inertia.x) && usable(inertia.y) && usable(inertia.z);
+}
+
 }  // namespace
 
 RigidFrame rigid_frame(const Body& body) {
@@ -82,7 +88,7 @@ RigidFrame rigid_frame(const Body& body) {
   frame.mass = whole.mass;
   frame.centre = whole.centre;
   if (whole.mass > 0) diagonalise(resolved_inertia(whole, body.bounds()), frame);
-  KERF_ASSERT(!(whole.mass > 0) || (frame.inertia.x > 0 && frame.inertia.y > 0 && frame.inertia.z > 0));
+  if (!is_usable(frame.inertia)) frame.mass = 0;
   return frame;
 }
 

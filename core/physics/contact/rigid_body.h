@@ -29,7 +29,9 @@ struct RigidFrame {
 // Returns the rigid frame of all pieces of a body together. Closed pieces of a solid body count as solids, as
 // of the last mass computation; all other pieces are sheets. Principal moments of inertia are raised to at
 // least a small fraction of the largest one, to bound the spin of a needle. A remnant so small relative to
-// the loaded body that rounding hides its inertia counts as a cuboid. The mass is 0 without faces. O(pieces).
+// the loaded body that rounding hides its inertia counts as a cuboid. The mass is 0 without faces, and if
+// doubles do not hold the inertia or its inverse, as of bodies wider than 1e80 m or smaller than 1e-80 m.
+// O(pieces).
 RigidFrame rigid_frame(const Body& body);
 
 // A rigid motion x -> turn * x + shift.

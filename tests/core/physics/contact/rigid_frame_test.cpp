@@ -48,6 +48,15 @@ TEST(RigidFrame, of_a_body_without_faces_has_no_mass) {
   EXPECT_EQ(rigid_frame(body).mass, 0);
 }
 
+TEST(RigidFrame, of_a_body_beyond_the_range_of_its_inertia_has_no_mass) {
+  for (const double size : {1e80, 1e-85}) {
+    Soup box = test::brick({1, 2, 3});
+    for (Vec3& p : box.positions) p *= size;
+    const Body body = make_body("box", test::build(box));
+    EXPECT_EQ(rigid_frame(body).mass, 0) << size;
+  }
+}
+
 // A plate that remains of a body of kilometres.
 TEST(RigidFrame, of_a_tiny_remnant_has_the_inertia_of_its_bounds) {
   for (const double far : {1e3, 1e4, 1e5}) {

@@ -473,6 +473,11 @@ std::string depth_text(const StepStatistics& statistics) {
   return text_of("Last cut reached %.0f %% depth", 100 * statistics.depth_s / statistics.met_s);
 }
 
+static std::string unit_note(FileUnit unit) {
+  if (unit == FileUnit::kMetre) return "";
+  return ". The thermal model takes a unit of this file for a metre: convert the file to metres first";
+}
+
 std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {
   const std::string watts = text_of("%.5g W", laser.power);
   std::string thickness = text_of("%.3g mm", 1000 * met.sheet.thickness);
@@ -484,11 +489,13 @@ std::string forecast_text(const LaserControls& laser, const SheetHit& met, doubl
     return watts + " at " + length_label(speed, unit) + "/s cuts " +
            (std::isfinite(cuts) ? text_of("%.2g mm", 1000 * cuts)
                                 : "any thickness, because the metal burns") +
-           "; this sheet is " + thickness;
+           "; this sheet is " + thickness + unit_note(unit);
   }
   const double fastest = cutting_speed(cut, met.sheet.thickness);
-  if (fastest <= 0) return watts + " is too little to cut " + thickness + " with this beam width";
-  return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s";
+  if (fastest <= 0)
+    return watts + " is too little to cut " + thickness + " with this beam width" + unit_note(unit);
+  return watts + " cuts this sheet of " + thickness + " at up to " + length_label(fastest, unit) + "/s" +
+         unit_note(unit);
 }
 
 std::string pointer_text(const LaserControls& laser, const PointerAim& aim, FileUnit unit) {

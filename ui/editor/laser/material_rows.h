@@ -130,7 +130,8 @@ class LaserHeatRows {
   NumberFields fields_;
 };
 
-// "2000 W cuts this sheet of 1 mm at up to 52 mm/s", or with a `speed` [m/s] > 0 the thickness cut at it.
+// "2000 W cuts this sheet of 1 mm at up to 52 mm/s", or with a `speed` [m/s] > 0 the thickness cut at it. In
+// a document that is not in metres, states that the thermal model takes its unit for one.
 std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit);
 
 // "The pointer moves at 80 mm/s, too fast to cut through", or empty while it rests.

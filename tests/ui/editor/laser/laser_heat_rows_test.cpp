@@ -26,6 +26,17 @@ TEST(Forecast, reports_insufficient_power_at_any_speed) {
             std::string::npos);
 }
 
+TEST(Forecast, notes_that_units_of_the_file_count_as_metres) {
+  LaserControls laser;
+  laser.radius = 0.0001;
+  for (const double speed : {0.0, 0.02}) {
+    const std::string metres = forecast_text(laser, SheetHit(), speed, FileUnit::kMetre),
+                      other = forecast_text(laser, SheetHit(), speed, FileUnit::kMillimetre);
+    EXPECT_EQ(metres.find("for a metre"), std::string::npos) << metres;
+    EXPECT_NE(other.find("takes a unit of this file for a metre"), std::string::npos) << other;
+  }
+}
+
 TEST(Forecast, is_slower_for_an_oblique_sheet) {
   LaserControls laser;
   laser.radius = 0.0001;

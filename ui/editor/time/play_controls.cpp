@@ -124,6 +124,7 @@ void TimeFlow::advance(double seconds) {
     return pace_.limit_to(pace_.most);
   }
   pace_.speed_up(kMaxTicks);
+  if (play_.one_tick && begun_) end();  // the playback before
   if (!begin()) return;
   const bool single = std::exchange(play_.one_tick, false);
   const auto ticks = single ? Ticks{1} : static_cast<Ticks>(pace_.due);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
+#include "tests/support/made_meshes.h"
+#include "ui/render/view/camera.h"
+
 namespace kerf {
 namespace {
 
@@ -31,6 +36,33 @@ TEST(ReachedSpeed, resets_on_each_play_and_when_time_is_undone) {
   clock = 0;
   speed.follow(true, clock, 0.1);
   EXPECT_FALSE(speed.of_real_time()) << "undo took time back";
+}
+
+TEST(TimeFlow, makes_a_single_tick_after_playback_an_entry_of_its_own) {
+  Workspace workspace;
+  World world;
+  world.add(make_body("brick", test::build(test::brick({1, 1, 1}))));
+  world.set_environment(default_environment(world, workspace.view.frame));
+  workspace.session.document = Document(std::move(world));
+  Document& document = workspace.session.document;
+  PlayState play;
+  const std::optional<Spring> spring;
+  TimeFlow flow(workspace, play, spring);
+  const auto frame = [&] {
+    flow.advance(0.05);
+    while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  };
+  play.play_or_pause();
+  for (int i = 0; i < 2; ++i) frame();
+  const Ticks played = document.world().clock();
+  EXPECT_GT(played, 0u);
+  EXPECT_EQ(document.history().position(), 1u);
+  play.request_tick();
+  frame();
+  EXPECT_EQ(document.world().clock(), played + 1);
+  EXPECT_EQ(document.history().position(), 2u);
+  ASSERT_TRUE(document.apply(Undo{}).ok());
+  EXPECT_EQ(document.world().clock(), played);
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ void draw_preview(const LivePreview& preview, const char* disabled_reason, FileU
 // Names the affected pieces: "All pieces", "3 selected pieces", or the name of one.
 std::string prepared_text(std::span<const PieceRow> pieces, const PieceMap& looks);
 
-// Forecasts the result: "69 666 faces become about 7 000.", or for simplification to an error, "... become
+// Forecasts the result: "69 666 faces become about 7 000.", or for simplification to an error, "69 666 faces
 // are simplified to a tolerance of 0.2 mm."
 std::string forecast_text(std::span<const PieceRow> pieces, const Preparation& preparation, FileUnit unit);
 

@@ -201,10 +201,10 @@ void CutJob::record_step(const StepResult& step, const World& world, double seco
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
   }
   if (step.delta.removed_faces > 0) step_s.push_back(seconds);
-  for (const BodyDelta& body : step.delta.bodies) record_parts(body);
+  for (const BodyDelta& body : step.delta.bodies) record_parts(body, world);
 }
 
-void CutJob::record_parts(const BodyDelta& body) {
+void CutJob::record_parts(const BodyDelta& body, const World& world) {
   for (const CutFace& cut : body.removed) {
     const std::optional<size_t> freed = freed_by.find({body.body, cut.piece});
     if (!freed || *freed == strokes) continue;
@@ -218,7 +218,7 @@ void CutJob::record_parts(const BodyDelta& body) {
     }
     const Triangle& t = cut.corners;
     found->area += triangle_area(t);
-    found->moment += triangle_area(t) * (t[0] + t[1] + t[2]) / 3.0;
+    found->moment += triangle_area(t) * world.body(body.body).placement.to_world((t[0] + t[1] + t[2]) / 3.0);
   }
   for (const uint32_t label : body.new_pieces) freed_by.add({body.body, label}, strokes);
 }

@@ -34,7 +34,7 @@ struct ScrapCut {
   BodyId body;          // of the part
   uint32_t piece = 0;   // its label
   double area = 0;      // removed from the part, m^2
-  Vec3 moment{0};       // centroid of this area times the area
+  Vec3 moment{0};       // centroid of this area, in the world, times the area
 };
 
 // The strokes that freed parts.
@@ -115,7 +115,7 @@ struct CutJob {
 
  private:
   // Lists the cuts of parts that an earlier stroke freed, and the parts that this one frees.
-  void record_parts(const BodyDelta& body);
+  void record_parts(const BodyDelta& body, const World& world);
 };
 
 struct WrittenPiece {

@@ -119,6 +119,28 @@ TEST(CutReport, sums_walls_and_lists_each_reason_once) {
             "box: the rim crosses itself near (1, 2, 3) m in the frame of the body");
 }
 
+TEST(CutReport, places_the_cuts_of_freed_parts_in_the_world) {
+  World world = world_of(brick({1, 1, 1}));
+  only_body(world).placement.position = {5, 0, 0};
+  CutJob job;
+  StepResult step;
+  BodyDelta& delta = step.delta.bodies.emplace_back();
+  delta.body = world.ids().front();
+  delta.new_pieces = {1};
+  job.begin_stroke();
+  job.record_step(step, world, 0);
+  job.end_stroke();
+  delta.new_pieces.clear();
+  CutFace& cut = delta.removed.emplace_back();
+  cut.piece = 1;
+  cut.corners = {Vec3(0), Vec3(3, 0, 0), Vec3(0, 3, 0)};
+  job.begin_stroke();
+  job.record_step(step, world, 0);
+  const auto report = cut_report(job, world, {}, {});
+  ASSERT_EQ(report["scrap"].size(), 1u);
+  EXPECT_EQ(report["scrap"][0]["at"].dump(), "[6.0,1.0,0.0]");
+}
+
 TEST(CutReport, sums_loaded_faces_and_changes_of_steps) {
   CutJob job;
   MeshReport mesh;

@@ -24,7 +24,7 @@ uniform float terminator;  // sine of the angle between smooth normals and facet
 in vec2 uv;
 flat in int surface;
 
-uniform int has_images;  // 0 until they are decoded
+uniform int has_images;  // 0 until they are decoded, and for faces without UVs
 uniform sampler2DArray colour_images, number_images;
 
 // See SurfaceEntry.

@@ -263,7 +263,7 @@ void BodyPicture::bind(const gl::Program& program, const FrameSpace& space,
   program.set("heated", faces_.heat().any() ? 1 : 0);
   glBindBufferBase(GL_UNIFORM_BUFFER, kPaintBlock, paints_.name());
   looks_.bind(program);
-  if (is_textured()) textures_->bind(program);
+  if (is_textured()) textures_->bind(program, faces_.has_uvs());
 }
 
 void BodyPicture::draw(const gl::Program& program, const FrameSpace& space,

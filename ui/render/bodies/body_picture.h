@@ -134,7 +134,7 @@ class BodyPicture {
   const PieceLooks& looks() const { return looks_; }
 
   // Returns true if programs with TEXTURED draw it.
-  bool is_textured() const { return textures_ && faces_.has_uvs(); }
+  bool is_textured() const { return textures_ && (faces_.has_uvs() || textures_->has_traits()); }
 
   // Sets placements and paints in `program`, which is in use and draws faces.
   void bind(const gl::Program& program, const FrameSpace& space, const Placement& placement) const;

@@ -36,6 +36,11 @@ constexpr bool has_colours(SurfaceMap map) {
   return map == SurfaceMap::kBase || map == SurfaceMap::kEmission;
 }
 
+bool has_any_trait(const std::optional<SurfaceLook>& look) {
+  return look && (look->metallic > 0 || look->emission != Vec3(0) ||
+                  look->alpha != SurfaceLook::Alpha::kOpaque || look->double_sided);
+}
+
 TexturePixels checkerboard() {
   constexpr int kSide = 16, kCell = 4;
   TexturePixels pixels{kSide, kSide, {}};
@@ -69,7 +74,9 @@ struct SurfaceTextures::Decoding {
 };
 
 SurfaceTextures::SurfaceTextures(std::shared_ptr<const SurfaceLibrary> library)
-    : library_(std::move(library)), looks_(surface_looks(*library_)) {
+    : library_(std::move(library)),
+      looks_(surface_looks(*library_)),
+      has_traits_(std::ranges::any_of(looks_, has_any_trait)) {
   fill_block();
   if (layers_.empty()) return;
   decoding_ = std::make_unique<Decoding>();
@@ -158,9 +165,9 @@ bool SurfaceTextures::update(bool waits) {
   return true;
 }
 
-void SurfaceTextures::bind(const gl::Program& program) const {
+void SurfaceTextures::bind(const gl::Program& program, bool has_uvs) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, kSurfaceBlock, block_.name());
-  program.set("has_images", decoding_ ? 0 : 1);
+  program.set("has_images", decoding_ || !has_uvs ? 0 : 1);
   program.set_texture("colour_images", kColoursUnit, colours_ ? colours_->name() : 0, GL_TEXTURE_2D_ARRAY);
   program.set_texture("number_images", kNumbersUnit, numbers_ ? numbers_->name() : 0, GL_TEXTURE_2D_ARRAY);
 }

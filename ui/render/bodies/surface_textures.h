@@ -32,14 +32,18 @@ class SurfaceTextures {
   const std::shared_ptr<const SurfaceLibrary>& library() const { return library_; }
   // By material number; nullopt if the file only names it.
   const std::vector<std::optional<SurfaceLook>>& looks() const { return looks_; }
+  // Returns true if a material has traits that a paint lacks even without its maps: metal, emission, opacity
+  // or two equal sides.
+  bool has_traits() const { return has_traits_; }
 
   // Uploads the images once they are decoded; optionally waits for the decoding. Returns true if it uploaded
   // them.
   bool update(bool waits);
   bool is_loading() const { return decoding_ != nullptr; }
 
-  // Binds the block "Surfaces" and the samplers of `program`. Precondition: `program` is in use.
-  void bind(const gl::Program& program) const;
+  // Binds the block "Surfaces" and the samplers of `program`, whose maps are off for faces without UVs.
+  // Precondition: `program` is in use.
+  void bind(const gl::Program& program, bool has_uvs) const;
 
   size_t bytes() const { return bytes_; }  // of the layers
 
@@ -55,6 +59,7 @@ class SurfaceTextures {
 
   std::shared_ptr<const SurfaceLibrary> library_;
   std::vector<std::optional<SurfaceLook>> looks_;
+  bool has_traits_;
   std::vector<Layer> layers_;
   std::unique_ptr<Decoding> decoding_;  // null once the images are uploaded
   gl::Buffer block_;

@@ -32,18 +32,19 @@ std::string four_colours(const TemporaryFolder& folder) {
   return *read_text_file(file);
 }
 
-// A square in y = 0 that an image covers, the top of the image at z = -1.
-Soup square() {
-  auto soup = read_obj(
-      "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl skin\n"
-      "f 1/1 2/2 3/3 4/4\n",
-      "square.obj");
+// A square in y = 0 that an image covers, the top of the image at z = -1; optionally without UVs.
+Soup square(bool has_uvs = true) {
+  const std::string positions = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\n";
+  auto soup =
+      read_obj(positions + (has_uvs ? "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl skin\nf 1/1 2/2 3/3 4/4\n"
+                                    : "usemtl skin\nf 1 2 3 4\n"),
+               "square.obj");
   EXPECT_TRUE(soup.ok());
   return std::move(*soup);
 }
 
-World painted_square(const std::string& image, const std::string& material) {
-  Soup soup = square();
+World painted_square(const std::string& image, const std::string& material, bool has_uvs = true) {
+  Soup soup = square(has_uvs);
   auto library = std::make_shared<SurfaceLibrary>();
   library->materials.resize(2);
   library->materials[0].gltf = library->materials[1].gltf = material;
@@ -158,6 +159,13 @@ TEST(SurfaceTextures, alpha_mask_discards_transparent_parts) {
       drawn(R"({"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.2]}})");
   EXPECT_GT(opaque[1], 120);
   EXPECT_LT(masked[1], 80);
+}
+
+TEST(SurfaceTextures, materials_of_faces_without_uvs_emit_light) {
+  Stage stage(painted_square("", R"({"emissiveFactor": [1, 0, 0], "pbrMetallicRoughness":
+                                     {"metallicFactor": 0, "baseColorFactor": [0, 0, 0, 1]}})",
+                             false));
+  EXPECT_EQ(strong_channels(stage.draw(from_above(), plain_options(), kSize, kSize), 0.5, 0.5), 1);
 }
 
 TEST(DecodeTexture, rejects_anything_but_an_image) {

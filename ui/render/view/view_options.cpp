@@ -193,8 +193,8 @@ constexpr std::array kSwitches{
                             .report = "boxes",
                             .label = "AABB Tree",
                             .key = 'B',
-                            .tip = "Draws the boxes of the AABB tree: solid if hit by the beam, dotted if "
-                                   "not, as in figure 2 of the paper.",
+                            .tip = "Draws the boxes of the AABB tree in the colours of the legend: hit by the "
+                                   "beam, or not.",
                             .in_view_panel = false}),
     ViewSwitch{.id = SwitchId::kBoxesHit,
                .show = "aabb-hit",

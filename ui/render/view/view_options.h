@@ -154,8 +154,8 @@ std::string offered_show_names();
 
 // The two colours of the tree's boxes: hit by the beam, and untouched.
 enum class BoxPalette {
-  kRedAndGreen,    // the paper's: #ff6a4d solid, #3fbf7f dotted
-  kOrangeAndBlue,  // for the colour-blind: #e69f00 solid, #56b4e9 dotted
+  kRedAndGreen,    // the paper's: #ff6a4d and #3fbf7f
+  kOrangeAndBlue,  // for the colour-blind: #e69f00 and #56b4e9
 };
 
 // Depth test of near caps with ShadowMethod::kRobust. A lit surface must fail the depth test against its own

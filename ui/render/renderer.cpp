@@ -294,6 +294,7 @@ void Renderer::draw_beams(const CameraView& view, const ViewOptions& options,
 void Renderer::draw_comparison(const Subject& subject, const gl::Framebuffer& picture) {
   const ShadowOptions& shadow = subject.options.shadow;
   const size_t lights = std::min(subject.options.lights.size(), kMaxLights);
+  differing_ = 0;
   if (lights == 0) return;
   const int w = picture.shape().width, h = picture.shape().height;
   const auto counted = [&](ShadowMethod method) {

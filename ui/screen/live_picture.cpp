@@ -55,6 +55,7 @@ void TracedShadows::work(const World& world, const ViewOptions& look, Renderer& 
   waits_ = wanted && !traced_;
   statistics.traced = 0;
   statistics.wrong.reset();
+  if (look.show.shadow_reference && look.lights.empty()) statistics.wrong = 0;
   if (!traced_) return;
   if (still) traced_->trace(kPixelsOfFrame);
   renderer.draw_reference(*traced_, drawn_, target);

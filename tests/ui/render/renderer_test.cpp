@@ -203,6 +203,46 @@ TEST(Renderer, the_ghost_shows_only_removed_parts) {
   EXPECT_LT(off, static_cast<size_t>(kRenderWidth * kRenderHeight) / 20);
 }
 
+TEST(Renderer, removed_faces_of_a_hidden_body_are_not_shown) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+  test::Stage stage(std::move(world));
+  stage.cut({{-0.3, 0.3, 5}, {0, 0, -1}}, {{0.3, 0.3, 5}, {0, 0, -1}}, 0.05);
+  stage.apply(HidePiece{{stage.world().ids().front(), 0}, true});
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  const Pixels plain = stage.draw(view, {}, kRenderWidth, kRenderHeight);
+  ViewOptions ghost, numbers;
+  ghost.ghost = true;
+  numbers.show.face_numbers = true;
+  EXPECT_EQ(stage.draw(view, ghost, kRenderWidth, kRenderHeight).rgb, plain.rgb);
+  EXPECT_EQ(stage.draw(view, numbers, kRenderWidth, kRenderHeight).rgb, plain.rgb);
+}
+
+TEST(Renderer, face_numbers_of_a_small_image_are_no_smaller_than_their_bitmaps) {
+  test::Stage stage = test::ball_and_ring();
+  const CameraView view = test::view_of_ball_and_ring(static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  options.show.face_numbers = true;
+  const Pixels usual = stage.draw(view, options, kRenderWidth, kRenderHeight);
+  options.mark_scale = 0.3;
+  EXPECT_EQ(stage.draw(view, options, kRenderWidth, kRenderHeight).rgb, usual.rgb);
+}
+
+TEST(Renderer, shadow_methods_do_not_differ_without_a_light) {
+  World world;
+  world.add(make_body("ball", test::build(test::sphere(16, 24, 1))));
+  test::Stage stage(std::move(world));
+  const CameraView view = look_at({2, 4, 6}, {0, 0, 0}, static_cast<double>(kRenderWidth) / kRenderHeight);
+  ViewOptions options;
+  options.show.shadow_compare = true;
+  options.shadow.extrusion = 1e-6;  // the second method draws no shadow
+  stage.draw(view, options, kRenderWidth, kRenderHeight);
+  EXPECT_GT(stage.renderer().differing_pixels(), 100u);
+  options.lights.clear();
+  stage.draw(view, options, kRenderWidth, kRenderHeight);
+  EXPECT_EQ(stage.renderer().differing_pixels(), 0u);
+}
+
 size_t count_greenish(const Pixels& pixels) {
   size_t count = 0;
   for (size_t i = 0; i < pixels.rgb.size(); i += 3)

@@ -56,5 +56,12 @@ TEST_F(TracedShadowsTest, wait_while_the_viewport_changes_and_restart_for_a_new_
   EXPECT_FALSE(statistics_.wrong.has_value());
 }
 
+TEST_F(TracedShadowsTest, are_complete_and_right_without_a_light) {
+  options_.lights.clear();
+  frame(true, true);
+  EXPECT_FALSE(traced_.busy());
+  EXPECT_EQ(statistics_.wrong, 0u);
+}
+
 }  // namespace
 }  // namespace kerf

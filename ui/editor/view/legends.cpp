@@ -60,8 +60,8 @@ Legend legend_of_comparison(const ViewOptions& look, const ShadowStatistics& sha
   return {"Shadow Methods",
           {sentence("left: " + std::string(method_name(look.shadow.method))),
            sentence("right: " + std::string(method_name(look.shadow.beside))),
-           sentence((shadows.differing ? grouped(*shadows.differing) + " pixels" : "counting pixels that") +
-                    " are in shadow with"),
+           sentence((shadows.differing ? count_text(*shadows.differing, "pixel") : "counting pixels that") +
+                    (shadows.differing == 1u ? " is" : " are") + " in shadow with"),
            sentence("one of them and lit with the other")}};
 }
 

@@ -95,6 +95,7 @@ class Candidates {
     int number = 0;
     for_each_body(subject, [&](BodyId id, const Body& body, const BodyPicture& picture) {
       body_ = (number++ % 127) + 1;
+      if (body.hidden) return;
       const glm::mat4 from_body = subject.space.from_body(body.placement, picture.faces().frame());
       add_live(id, body, picture.faces().frame(), from_body);
       for (const RemovedFace& f : picture.faces().removed(body.mesh)) {
@@ -305,7 +306,7 @@ void FaceNumbers::draw(const Subject& subject, const FrameUniforms& frame, const
   const int w = picture.shape().width, h = picture.shape().height;
   const std::vector<uint8_t> which = look_which(subject, w, h);
   const double of_screen = 1 + h / kHeightOfOneZoom;
-  const int zoom = static_cast<int>(std::lround(subject.options.mark_scale * of_screen));
+  const int zoom = std::max(1, static_cast<int>(std::lround(subject.options.mark_scale * of_screen)));
   const auto scaled = [&](int pixels) { return static_cast<float>(pixels * zoom); };
   const std::vector<FaceLabel> labels =
       place_labels(Candidates(subject, frame).take(), {w, h}, {scaled(kAdvance), scaled(kDigitHeight)},
@@ -551,6 +552,7 @@ void draw_removed(const Subject& subject, const gl::Program& program, gl::State 
   int number = 0;
   for_each_body(subject, [&](BodyId, const Body& body, BodyPicture& picture) {
     program.set("body", (number++ % 127) + 1);
+    if (body.hidden) return;
     program.set("frame_from_body", subject.space.from_body(body.placement, picture.faces().frame()));
     picture.faces().draw_removed(body.mesh);
   });

@@ -71,6 +71,8 @@ TEST(Legends, the_comparison_describes_its_counts) {
   EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "counting pixels that are in shadow with");
   statistics.differing = 1234;
   EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "1 234 pixels are in shadow with");
+  statistics.differing = 1;
+  EXPECT_EQ(legends_of(look, statistics).at(0).rows[2].meaning, "1 pixel is in shadow with");
 }
 
 TEST(Legends, shadow_rays_show_progress_until_the_result_is_complete) {

@@ -193,8 +193,9 @@ constexpr std::array kSwitches{
                             .report = "boxes",
                             .label = "AABB Tree",
                             .key = 'B',
-                            .tip = "Draws the boxes of the AABB tree in the colours of the legend: hit by the "
-                                   "beam, or not.",
+                            .tip =
+                                "Draws the boxes of the AABB tree in the colours of the legend: hit by the "
+                                "beam, or not.",
                             .in_view_panel = false}),
     ViewSwitch{.id = SwitchId::kBoxesHit,
                .show = "aabb-hit",

@@ -240,7 +240,8 @@ FilePreview preview_of_scene(const PreviewRequest& request, const Progress& prog
   const World& world = scene->world;
   add_count(preview, "Faces", world.live_faces());
   const World::Bounds bounds = world.loaded_bounds();
-  preview.facts.emplace_back("Size", extents_label(bounds.max - bounds.min, FileUnit::kMetre));
+  const FileFrame frame = select_frame(*description, false, bounds, Settings()).frame;
+  preview.facts.emplace_back("Size", extents_label(bounds.max - bounds.min, frame.unit));
   const auto for_each = [&](const auto& use) {
     for (const BodyId id : world.ids()) {
       const Body& body = world.body(id);
@@ -252,7 +253,7 @@ FilePreview preview_of_scene(const PreviewRequest& request, const Progress& prog
       }
     }
   };
-  preview.picture = draw_triangles(UpAxis::kY, request.theme, for_each, progress);
+  preview.picture = draw_triangles(frame.up, request.theme, for_each, progress);
   return preview;
 }
 

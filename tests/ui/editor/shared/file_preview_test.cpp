@@ -58,6 +58,19 @@ TEST(FilePreview, states_counts_and_size_of_a_mesh) {
   EXPECT_EQ(in_inches.facts.back().second, "2 x 1 x 3 mm");
 }
 
+TEST(FilePreview, shows_a_scene_in_its_own_unit_and_up_axis) {
+  test::TemporaryFolder folder;
+  write_text(folder / "brick.obj", obj_of(test::brick({2, 1, 3})));
+  const auto preview_with = [&](const std::string& shown) {
+    write_text(folder / "scene.json", R"({"bodies": [{"mesh": "brick.obj"}])" + shown + "}");
+    return preview_of({folder / "scene.json"}, kGoesOn);
+  };
+  const FilePreview usual = preview_with(""), own = preview_with(R"(, "shown": {"unit": "mm", "up": "z"})");
+  EXPECT_EQ(usual.facts, (Facts{{"Bodies", "1"}, {"Faces", "12"}, {"Size", "2 x 1 x 3 m"}}));
+  EXPECT_EQ(own.facts, (Facts{{"Bodies", "1"}, {"Faces", "12"}, {"Size", "2 x 1 x 3 mm"}}));
+  EXPECT_NE(own.picture.rgb, usual.picture.rgb);
+}
+
 TEST(FilePreview, counts_the_shared_corners_of_a_mesh_once) {
   test::TemporaryFolder folder;
   write_text(folder / "one.stl",

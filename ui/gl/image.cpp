@@ -233,7 +233,7 @@ TexturePixels resized(const TexturePixels& from, int side, bool colours) {
   TexturePixels to{side, side,
                    std::vector<uint8_t>(4 * static_cast<size_t>(side) * static_cast<size_t>(side))};
   stbir_resize_uint8_generic(from.rgba.data(), from.width, from.height, 0, to.rgba.data(), side, side, 0, 4,
-                             3, 0, STBIR_EDGE_WRAP, STBIR_FILTER_DEFAULT,
+                             colours ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_WRAP, STBIR_FILTER_DEFAULT,
                              colours ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR, nullptr);
   return to;
 }

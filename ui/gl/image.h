@@ -50,8 +50,8 @@ struct TexturePixels {
 inline constexpr int kMaxTextureSide = 1 << 14;
 std::optional<TexturePixels> decode_texture(std::string_view bytes);
 
-// Returns an image resized to a square, for `colours` with the mean of their light. Precondition: the image
-// is not empty, and side > 0.
+// Returns an image resized to a square, for `colours` with the mean of their light, weighted by their
+// opacity. Precondition: the image is not empty, and side > 0.
 TexturePixels resized(const TexturePixels& from, int side, bool colours);
 
 }  // namespace kerf

@@ -103,5 +103,11 @@ TEST(Shrunk, never_enlarges) {
   EXPECT_EQ(same.rgb, all.rgb);
 }
 
+TEST(Resized, only_colours_are_weighted_by_their_opacity) {
+  const TexturePixels from{2, 1, {255, 0, 0, 255, 0, 0, 0, 0}};
+  EXPECT_NEAR(resized(from, 1, true).rgba[0], 255, 2);
+  EXPECT_NEAR(resized(from, 1, false).rgba[0], 128, 2);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "core/base/assert.h"
+#include "ui/window/theme.h"
 
 namespace kerf {
 
@@ -241,6 +242,16 @@ std::string fitted_text(std::string_view text, float width, const TextWidth& wid
   }
   while (fits > 0 && text[fits - 1] == ' ') --fits;
   return std::string(text.substr(0, fits)) + kEllipsis;
+}
+
+std::string fitted_end(std::string_view text, float width, const TextWidth& width_of) {
+  if (width_of(text) <= width) return std::string(text);
+  for (size_t begin = 1; begin < text.size(); ++begin) {
+    if (!begins_character(text[begin])) continue;
+    const std::string end = kEllipsis + std::string(text.substr(begin));
+    if (width_of(end) <= width) return end;
+  }
+  return kEllipsis;
 }
 
 void fill_field(std::span<char> buffer, std::string_view text) {

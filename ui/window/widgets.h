@@ -27,6 +27,9 @@ float width_of_text(std::string_view text);
 // text).
 std::string fitted_text(std::string_view text, float width, const TextWidth& width_of = width_of_text);
 
+// Returns the text, or an ellipsis and its end. O(square of the size of the text).
+std::string fitted_end(std::string_view text, float width, const TextWidth& width_of = width_of_text);
+
 // Copies a text into the buffer of ImGui::InputText(), truncated at a character boundary if it is too long.
 // Precondition: the buffer is not empty.
 void fill_field(std::span<char> buffer, std::string_view text);

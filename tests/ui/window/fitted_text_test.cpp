@@ -46,6 +46,13 @@ TEST(FittedText, is_truncated_at_a_whole_character_and_as_long_as_fits) {
   }
 }
 
+TEST(FittedText, may_keep_the_end_from_a_whole_character_on) {
+  EXPECT_EQ(fitted_end("/home/a", 7, characters), "/home/a");
+  EXPECT_EQ(fitted_end("/home/a", 6, characters), "...e/a");
+  EXPECT_EQ(fitted_end("/\xd0\xb4\xd0\xbe\xd0\xbc", 3, characters), "...");
+  EXPECT_EQ(fitted_end("/xx/\xd0\xb4\xd0\xbe\xd0\xbc/a/b", 8, characters), "...\xd0\xbc/a/b");
+}
+
 TEST(FittedNumber, drops_digits_then_its_unit_and_is_never_truncated) {
   const auto fitted = [](double value, const RealFormat& format, float width) {
     return fitted_number(value, format, "mm", 0, width, characters);

@@ -188,8 +188,12 @@ void accept(FileBrowser& b) {
     return enter_folder(b, *typed);
   }
   if (!opens(b)) {
-    if (b.name.front() != '\0') select_file(b, with_ending(b.folder / b.name.data(), b));
-    return;
+    const fs::path file = b.folder / b.name.data(), last = file.filename();
+    if (b.name.front() == '\0') return;
+    const bool may_be_folder = last.empty() || last == "." || last == "..";
+    if (!may_be_folder || !fs::is_directory(file, error)) return select_file(b, with_ending(file, b));
+    set_name(b, "");
+    return enter_folder(b, file);
   }
   const std::vector<size_t> left = left_by_filter(b);
   if (!b.is_selected || b.cursor >= left.size()) return;
@@ -212,9 +216,7 @@ void draw_where(FileBrowser& b) {
   }
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x;
-  std::string shown = b.folder.string();
-  while (shown.size() > 8 && ImGui::CalcTextSize(shown.c_str()).x > room) shown = "..." + shown.substr(6);
-  ImGui::TextUnformatted(shown.c_str());
+  ImGui::TextUnformatted(fitted_end(b.folder.string(), room).c_str());
   tooltip(b.folder.c_str());
 }
 

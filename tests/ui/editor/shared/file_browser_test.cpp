@@ -119,6 +119,19 @@ TEST_F(SaveDialog, only_a_tilde_before_a_slash_is_the_home_folder) {
   EXPECT_EQ(taken, "/no/such/home/draft.kerf");
 }
 
+TEST_F(SaveDialog, a_name_with_a_slash_at_its_end_is_a_folder) {
+  fs::create_directory(folder / "parts");
+  open("parts/");
+  enter();
+  EXPECT_EQ(browser.folder, fs::canonical(folder / "parts"));
+  browser_key(browser, GLFW_KEY_ESCAPE);
+  draw(3);
+  open("..");
+  enter();
+  EXPECT_EQ(browser.folder, fs::canonical(folder.path()).parent_path());
+  EXPECT_EQ(taken, fs::path());
+}
+
 TEST_F(SaveDialog, another_name_ends_the_question_about_an_existing_file) {
   for (const char* name : {"mine.kerf", "other.kerf"}) std::ofstream(folder / name);
   for (const char* part : {"type .json", "entry other.kerf"}) {

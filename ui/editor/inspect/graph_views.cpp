@@ -147,8 +147,8 @@ void draw_row(const PieceTreeRow& row, const Document& document, ViewState& view
   list.AddCircleFilled({x, y}, 0.32f * em, colour_of_piece(document.world(), view, id));
   ImGui::SetCursorScreenPos({x + 0.8f * em, at.y});
   const std::string name = row_name(document.world(), view.look.pieces, id, row.name);
-  if (ImGui::Selectable(fitted_label(name, ImGui::GetContentRegionAvail().x).c_str(), selected,
-                        ImGuiSelectableFlags_SpanAllColumns)) {
+  const std::string label = whole_label(fitted_text(name, ImGui::GetContentRegionAvail().x)) + "###name";
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_SpanAllColumns)) {
     select_piece(view.look.pieces, id, ImGui::GetIO().KeyShift);
     view.picture_old = true;
   }

@@ -322,7 +322,8 @@ class RulerFeature : public Feature {
     const std::string name = list_.marks()[mark].name;
     if (renamed_ == mark) {
       edit_name(mark);
-    } else if (ImGui::Selectable(fitted_label(name + "###name", ImGui::GetContentRegionAvail().x).c_str())) {
+    } else if (const float room = ImGui::GetContentRegionAvail().x;
+               ImGui::Selectable((whole_label(fitted_text(name, room)) + "###name").c_str())) {
       renamed_ = mark;
       take_focus_ = field_drawn_ = true;
       fill_field(new_name_, name);

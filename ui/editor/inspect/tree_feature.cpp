@@ -129,7 +129,7 @@ void body_row(ViewState& view, const World& world) {
     if (ImGui::Selectable("All Bodies", !only)) only.reset(), view.picture_old = true;
     for (const BodyId id : ids) {
       ImGui::PushID(static_cast<int>(id.slot));
-      if (ImGui::Selectable(world.body(id).own_name().c_str(), only == id))
+      if (ImGui::Selectable(whole_label(world.body(id).own_name()).c_str(), only == id))
         only = id, view.picture_old = true;
       ImGui::PopID();
     }

@@ -7,6 +7,7 @@
 #include "core/document/scene.h"
 #include "tests/support/checkout.h"
 #include "tests/support/editor_features.h"
+#include "tests/support/gui_context.h"
 #include "tests/support/jointed.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -321,6 +322,22 @@ TEST(PieceTree, describes_origin_and_support_of_each_piece) {
   other.held_by = Holder::kPin;
   EXPECT_EQ(words_on({other}, document, {}, FileUnit::kMetre),
             "sheet is the rest of its body. Its 5 parts are one body, which is pinned.");
+}
+
+// The number of vertices with which the tree of a single piece of this name is drawn.
+int vertices_with(const std::string& name) {
+  World world;
+  world.add(make_body(name, test::build(test::plate(1))));
+  const Document document(std::move(world));
+  const std::vector<PieceTreeRow> rows = piece_tree(piece_origins(document));
+  ViewState view;
+  test::GuiContext gui;
+  for (int i = 0; i < 4; ++i) gui.frame([&] { draw_piece_tree(rows, document, view); });
+  return ImGui::GetDrawData()->TotalVtxCount;
+}
+
+TEST(PieceTree, shows_names_with_two_number_signs_in_full) {
+  EXPECT_EQ(vertices_with("bolt##2"), vertices_with("bolt--2"));
 }
 
 TEST(PieceTree, keeps_the_names_of_loaded_parts_in_its_rows) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,11 +32,15 @@ struct KnifeStrip {
   Interval range;                          // m
   double on = 0;                           // m; a smaller distance counts as zero
   std::optional<uint32_t> previous, next;  // strips that share the poses
+  std::vector<KnifeStrip> parts;           // of a path that bends within the plane, in order; else empty
 
   // Distances from the lines of the poses, and along the beam from the path of the origin.
   double past_from(const Vec3& p) const { return glm::dot(p - from.origin, after_from); }
   double short_of_to(const Vec3& p) const { return glm::dot(p - to.origin, before_to); }
   double depth(const Vec3& p) const {
+    for (const KnifeStrip& part : parts) {
+      if (&part == &parts.back() || part.short_of_to(p) >= 0) return part.depth(p);
+    }
     const Vec3 step = to.origin - from.origin;
     const double before = past_from(p), after = short_of_to(p);
     const double share = before + after > 0 ? std::clamp(before / (before + after), 0.0, 1.0) : 0;
@@ -87,6 +92,21 @@ bool continues(const KnifeStrip& before, const KnifeStrip& strip) {
   return glm::dot(before.plane.normal, strip.plane.normal) > 0 && are_coplanar(before, strip);
 }
 
+// Returns true if depths along two strips that follow each other are those along one from end to end.
+bool is_straight(const KnifeStrip& before, const KnifeStrip& strip) {
+  if (!before.parts.empty() || !strip.parts.empty() || before.to.origin != strip.from.origin) return false;
+  const Vec3 step = before.to.origin - before.from.origin, more = strip.to.origin - strip.from.origin;
+  if (step == Vec3(0) && more == Vec3(0)) return true;
+  return before.from.direction == before.to.direction && before.to.direction == strip.to.direction &&
+         glm::length(glm::cross(step, more)) <= kUnitSlack * glm::length(step) * glm::length(more);
+}
+
+// Moves a strip to the end of the parts of another.
+void move_parts(KnifeStrip strip, std::vector<KnifeStrip>& parts) {
+  if (strip.parts.empty()) return parts.push_back(std::move(strip));
+  std::ranges::move(strip.parts, std::back_inserter(parts));
+}
+
 Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& body) {
   std::vector<KnifeStrip> strips;
   for (size_t i = 1; i < path.poses.size(); ++i) {
@@ -97,8 +117,13 @@ Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& bod
     if (!*strip) continue;
     (*strip)->on = distance_on((*strip)->plane, body);
     if (!strips.empty() && continues(strips.back(), **strip)) {
-      strips.back().to = (*strip)->to;
-      strips.back().before_to = (*strip)->before_to;
+      KnifeStrip& before = strips.back();
+      if (!is_straight(before, **strip)) {
+        if (before.parts.empty()) move_parts(KnifeStrip(before), before.parts);
+        move_parts(**strip, before.parts);
+      }
+      before.to = (*strip)->to;
+      before.before_to = (*strip)->before_to;
       continue;
     }
     strips.push_back(**strip);
@@ -108,6 +133,12 @@ Result<std::vector<KnifeStrip>> strips_of(const KnifePath& path, const Body& bod
   };
   const bool is_closed = strips.size() > 1 && same(strips.back().to, strips.front().from);
   if (is_closed && continues(strips.back(), strips.front())) {
+    if (!is_straight(strips.back(), strips.front())) {
+      std::vector<KnifeStrip> parts;
+      move_parts(strips.back(), parts);
+      move_parts(strips.front(), parts);
+      strips.front().parts = std::move(parts);
+    }
     strips.front().from = strips.back().from;
     strips.front().after_from = strips.back().after_from;
     strips.pop_back();
@@ -129,11 +160,13 @@ std::vector<FaceId> faces_near(const KnifeStrip& strip, const Body& body) {
   laser.range = strip.range;
   laser.radius = std::max(kThin * body.bounds().diagonal(), strip.on);
   std::vector<FaceId> found;
-  const BeamMove whole{strip.from, strip.to};
-  const bool turns = strip.from.direction != strip.to.direction;
-  for (const BeamMove& move :
-       turns ? subdivide(whole, 0.5 * laser.radius, strip.range.high) : std::vector<BeamMove>{whole}) {
-    for (const SweptCylinder& part : sweep_beam(laser, move)) body.tree.touched(body.mesh, part, found);
+  for (const KnifeStrip& part : strip.parts.empty() ? std::vector{strip} : strip.parts) {
+    const BeamMove whole{part.from, part.to};
+    const bool turns = part.from.direction != part.to.direction;
+    for (const BeamMove& move :
+         turns ? subdivide(whole, 0.5 * laser.radius, strip.range.high) : std::vector<BeamMove>{whole}) {
+      for (const SweptCylinder& swept : sweep_beam(laser, move)) body.tree.touched(body.mesh, swept, found);
+    }
   }
   std::sort(found.begin(), found.end(), std::greater<>());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -266,6 +299,20 @@ class PathCut {
     return (s.past_from(p) >= -slack || is_at(s.previous)) && (s.short_of_to(p) >= -slack || is_at(s.next)) &&
            s.depth(p) >= s.range.low - slack && s.depth(p) <= s.range.high + slack;
   }
+  // Returns true if an edge between vertices within a strip lies within its range where the path bends.
+  bool stays_within(VertexId from, VertexId to, uint32_t strip) const {
+    const KnifeStrip& s = strips_[strip];
+    const Vec3 a = mesh().position(from), b = mesh().position(to);
+    for (size_t i = 0; i + 1 < s.parts.size(); ++i) {
+      const double of_a = s.parts[i].short_of_to(a), of_b = s.parts[i].short_of_to(b);
+      if ((of_a < 0) == (of_b < 0)) continue;
+      const Vec3 bend = a + of_a / (of_a - of_b) * (b - a);
+      for (const double depth : {s.parts[i].depth(bend), s.parts[i + 1].depth(bend)}) {
+        if (depth < s.range.low - 4 * s.on || depth > s.range.high + 4 * s.on) return false;
+      }
+    }
+    return true;
+  }
   bool is_left(FaceId f, VertexId from, VertexId to, uint32_t strip) {
     for (const VertexId v : mesh().corners(f)) {
       if (v != from && v != to && side(v, strip) != 0) return side(v, strip) > 0;
@@ -281,7 +328,8 @@ class PathCut {
       for (size_t i = 0; i < 3; ++i) {
         const VertexId from = corners[i], to = corners[(i + 1) % 3];
         for (const uint32_t strip : shared_planes(from, to)) {
-          if (!lies_within(from, strip) || !lies_within(to, strip)) continue;
+          if (!lies_within(from, strip) || !lies_within(to, strip) || !stays_within(from, to, strip))
+            continue;
           add_side({f, from, to}, strip);
           break;
         }

@@ -493,6 +493,19 @@ TEST(KnifePath, leaves_what_it_does_not_pass_through_connected) {
   EXPECT_GT(body.mesh.live_faces(), 98u) << "the new edges stay";
 }
 
+// The origin of the beam rises to the middle of the sheet and falls again.
+TEST(KnifePath, reaches_as_far_as_its_beam_where_it_bends_within_a_plane) {
+  const auto pieces = [](double depth) {
+    World sheet = world_of(grid(20, 1));
+    const Vec3 down(0, -1, 0);
+    cut(sheet,
+        KnifePath{{{{-0.6, 0.1, 0.01}, down}, {{0, 2, 0.01}, down}, {{0.6, 0.1, 0.01}, down}}, {0, depth}});
+    return faces_by_piece(only_body(sheet), false).size();
+  };
+  EXPECT_EQ(pieces(1), 1u);
+  EXPECT_EQ(pieces(2.5), 2u);
+}
+
 TEST(KnifePath, finds_the_first_pose_off_the_plane_of_the_one_before) {
   const Vec3 down(0, -1, 0), turned = glm::normalize(Vec3(0, -1, 1));
   KnifePath path{{{{-1, 1, 0}, down}, {{1, 1, 0}, down}, {{1, 1, 2}, turned}}, {0, 5}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +25,10 @@ WallPlane plane_in_body(const KnifePlane& plane, const Placement& placement) {
   const Vec3 normal = plane.normal / largest;
   const double length = glm::length(normal);
   const Vec3 unit = normal / length;
-  return {glm::conjugate(placement.orientation) * unit,
-          plane.distance / largest / length - glm::dot(unit, placement.position)};
+  // Beyond the range of double the plane still lies on one side of all vertices.
+  constexpr double kFarthest = std::numeric_limits<double>::max();
+  const double distance = std::clamp(plane.distance / largest / length, -kFarthest, kFarthest);
+  return {glm::conjugate(placement.orientation) * unit, distance - glm::dot(unit, placement.position)};
 }
 
 // Moves a point by units in the last place towards an end of its edge until it differs from all others: two

@@ -44,7 +44,9 @@ class PegPlaces {
       high = glm::max(high, p);
     }
     const double step = std::max(high.x - low.x, high.y - low.y) / kCellsAlong;
-    if (!(step > 0)) return found;
+    const Vec2 far = glm::max(glm::abs(low), glm::abs(high));
+    const double farthest = std::max(far.x, far.y);
+    if (!(farthest + step / 2 > farthest)) return found;  // doubles are too coarse there for the grid
     for (double y = low.y + step / 2; y < high.y; y += step) {
       for (double x = low.x + step / 2; x < high.x; x += step) {
         const double distance = depth_of({x, y});

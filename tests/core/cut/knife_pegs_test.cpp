@@ -106,5 +106,16 @@ TEST(KnifePegs, are_left_out_without_room) {
   EXPECT_EQ(cut->delta.solid.missing_pegs, 3u);
 }
 
+// At this distance doubles are an eighth of a metre apart.
+TEST(KnifePegs, are_left_out_where_doubles_are_too_coarse_for_their_places) {
+  World world = world_of(moved(brick({1, 1, 1}), {1e15, 0, 0}, 1));
+  make_solid(only_body(world), true);
+  const auto cut = cut_with_plane(world, {{0, 1, 0}, 0.5}, world.ids(), CutSettings::kMaxFaces, nullptr,
+                                  {3, 0.1, 0.1, 0.01});
+  ASSERT_TRUE(cut.ok());
+  EXPECT_EQ(cut->delta.solid.pegs, 0u);
+  EXPECT_EQ(cut->delta.solid.missing_pegs, 3u);
+}
+
 }  // namespace
 }  // namespace kerf::test

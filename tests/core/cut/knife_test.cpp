@@ -247,6 +247,12 @@ TEST(Knife, cuts_a_moved_body_in_the_world) {
     EXPECT_NEAR(enclosed_volume(body.mesh, faces, body.middle()).volume, 0.5, 1e-14);
 }
 
+TEST(Knife, cuts_nothing_along_a_plane_beyond_the_range_of_double) {
+  World world = world_of(sphere(12, 18, 0.5));
+  for (const double distance : {1e10, -1e10}) cut(world, KnifePlane{{1e-300, 0, 0}, distance});
+  EXPECT_EQ(faces_by_piece(only_body(world), false).size(), 1u);
+}
+
 // The number of the face in the world is a rounded one.
 TEST(Knife, cuts_nothing_off_a_moved_body_along_its_face) {
   World world = solid_world(brick({0.3, 1, 1}));

@@ -425,6 +425,18 @@ Outcome Document::replay(size_t position, const Progress* progress) {
   return outcome;
 }
 
+// Executes a step of a replay. A stroke that fails by itself failed so before, and only its time passes.
+Outcome Document::finish_again(size_t step, const Progress& progress) {
+  bool stopped = false;
+  const Progress watched{[&](double fraction) {
+    stopped = !progress.report(fraction);
+    return !stopped;
+  }};
+  Outcome done = finish(&watched);
+  const bool failed_by_itself = !done.ok() && !stopped && !queue_.is_over_budget();
+  return failed_by_itself && history().position() == step + 1 ? finish(&watched) : done;
+}
+
 // Skips a stroke that is recut immediately, unless bodies move under it. Then the stroke is cut, and its
 // before-images are kept until the recut is done.
 Status Document::replay_steps(size_t position, const Progress* progress) {
@@ -444,7 +456,7 @@ Status Document::replay_steps(size_t position, const Progress* progress) {
       if (again && !bodies_move_in(steps.commands_of(step))) continue;
       if (again) steps.set_window(std::numeric_limits<size_t>::max());
       queue_.run_again();
-      done = finish(&running);
+      done = finish_again(step, running);
       if (!again || !done.ok()) steps.set_window(window);
     }
     if (!done.ok()) return done.error();

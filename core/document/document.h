@@ -184,6 +184,7 @@ class Document {
   Outcome redo(const Progress* progress);
   Outcome replay(size_t position, const Progress* progress);
   Status replay_steps(size_t position, const Progress* progress);
+  Outcome finish_again(size_t step, const Progress& progress);
   Status undo_to(size_t position, size_t journal_size, UndoStack::Steps undone);
   HistoryStep& last() { return queue_.history().last(); }
 

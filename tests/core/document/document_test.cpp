@@ -191,6 +191,27 @@ TEST(Document, a_failed_stroke_is_not_retried_by_redo) {
   EXPECT_EQ(state_hash(document.world()), whole);
 }
 
+// The oldest images are discarded, so an undo replays the strokes before.
+TEST(Document, an_undo_by_a_replay_passes_a_failed_stroke) {
+  Document document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });
+  CutSettings too_fine = settings_of(0.02);
+  too_fine.max_faces = 40;
+  uint64_t cut = 0;
+  for (const double z : {0.2, 0.0, -0.2}) {
+    cut = state_hash(document.world());
+    document.apply(BeginStroke{z > 0 ? too_fine : settings_of(0.02), {{-0.7, 1, z}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{0.7, 1, z}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+    while (document.waiting() > 0) (void)document.step(4).ok();
+  }
+  document.set_window(1);
+  ASSERT_FALSE(document.history().holds_images(2, 3));
+  const Outcome undone = document.apply(Undo{});
+  ASSERT_TRUE(undone.ok()) << undone.error().message;
+  EXPECT_EQ(document.history().position(), 2u);
+  EXPECT_EQ(state_hash(document.world()), cut);
+}
+
 TEST(Document, a_failed_recut_removes_nothing) {
   Document document(world_of(plate(1)));
   document.apply(BeginStroke{settings_of(0.02), {{-0.7, 1, 0.2}, {0, -1, 0}}});

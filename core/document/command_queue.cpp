@@ -229,7 +229,10 @@ Delta CommandQueue::restore(const SavePoint& point) {
   Delta delta = point.step.restore(history_.last(), world_);
   pending_ = point.pending;
   walked_ = point.stroke;
-  if (walked_) walked_->path.resize(point.moves);
+  if (walked_) {
+    walked_->path.resize(point.moves);
+    walked_->list_path(world_);
+  }
   begin(history_.position() - 1);
   physics_ = Physics();
   return delta;

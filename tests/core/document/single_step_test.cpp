@@ -189,6 +189,32 @@ TEST(SingleStep, steps_back_while_a_stroke_is_being_drawn) {
   expect_same_world(stepped.world(), walked.world());
 }
 
+TEST(SingleStep, a_stroke_may_be_stopped_after_a_step_back) {
+  Document stepped(world_of(grid(20, 2)));
+  CutSettings settings;
+  settings.laser.radius = settings.resolution.target_edge = 0.05;
+  stepped.apply(BeginStroke{settings, {{-0.5, 1, 0.03}, {0, -1, 0}}});
+  for (const double x : {0.0, 0.3, 0.6}) stepped.apply(MoveBeam{{{x, 1, 0.03}, {0, -1, 0}}});
+  stepped.apply(EndStroke{});
+  Document replayed(world_of(grid(20, 2)));
+  SingleStep single(stepped, 1);  // with a save point after each move
+  size_t moves = 0;
+  std::vector<size_t> ends;  // stages at the ends of moves
+  while (stepped.waiting() > 0) {
+    const auto stage = single.next();
+    ASSERT_TRUE(stage.ok());
+    moves += stage->done.moves;
+    if (stage->done.moves > 0) ends.push_back(single.stages());
+  }
+  ASSERT_GT(moves, 10u);
+  ASSERT_TRUE(single.go_back_to(ends[4] + 1).ok());  // the sweep of the next move executes nothing
+  ASSERT_TRUE(stop_strokes(stepped).ok());
+  ASSERT_TRUE(run_all(stepped).ok());
+  for (const Command& command : stepped.journal()) ASSERT_TRUE(replayed.apply(command).ok());
+  ASSERT_TRUE(run_all(replayed).ok());
+  expect_same_world(stepped.world(), replayed.world());
+}
+
 // A stroke along the middle of a sheet waits.
 Document sheet_with_stroke() {
   Document document(world_of(grid(20, 2)));

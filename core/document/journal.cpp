@@ -126,7 +126,9 @@ void check_follows(Fields& f, const MoveBeam& move, const std::optional<BeamAt>&
   const BeamAt before = beam.value_or(BeamAt{move.pose, 0});
   f.check(!are_opposite(before.pose.direction, move.pose.direction), "direction",
           "is opposite to the previous direction");
-  f.check(!f.present("t", false) || move.time >= before.time, "t", "must not be less than the previous time");
+  f.check(move.time >= before.time, "t",
+          f.present("t", false) ? "must not be less than the previous time"
+                                : "needs \"t\", because the move before has one");
 }
 
 // The fields of a command and its name, which was read before.

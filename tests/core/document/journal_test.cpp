@@ -177,6 +177,20 @@ TEST_F(JournalFile, with_garbage_is_read_up_to_the_damaged_line) {
   }
 }
 
+TEST_F(JournalFile, with_a_move_without_a_time_behind_one_with_a_time_is_damaged) {
+  std::vector<Command> commands = stroke(0.1);
+  std::get<MoveBeam>(commands[1]).time = 1;
+  save(commands);
+  const std::string good = read_text(file());
+  const size_t third = good.find('\n', good.find('\n', good.find('\n') + 1) + 1) + 1;
+  write_text(file(), good.substr(0, third) +
+                         R"({"do":"move-beam","origin":[0.7,1,0.2],"direction":[0,-1,0]})" + "\n" +
+                         good.substr(third));
+  const Journal journal = read();
+  EXPECT_EQ(journal.commands.size(), 2u);
+  EXPECT_NE(journal.damage.find("line 4: needs \"t\""), std::string::npos) << journal.damage;
+}
+
 TEST_F(JournalFile, with_random_byte_errors_never_yields_an_invalid_command) {
   for (uint64_t seed = 1; seed <= 400; ++seed) {
     Random random(seed);

@@ -310,7 +310,8 @@ class SvgReader {
       builder_.leave_out("transform-origin");
   }
 
-  Status element(const pugi::xml_node& node, Frame frame, int depth) {
+  // `user`: the <use> that refers to this one directly, if any.
+  Status element(const pugi::xml_node& node, Frame frame, int depth, const pugi::xml_node& user = {}) {
     if (depth > DrawingLimits::kMaxDepth) return wrong(node, "", {0, "elements are nested too deeply"});
     if (!builder_.count_element()) return bad_input(file_ + ": " + builder_.fault());
     const std::string_view name = local_name(node.name(), prefix_);
@@ -324,7 +325,7 @@ class SvgReader {
     count_effects(node);
     if (name == "g" || name == "a") return children(node, frame, depth);
     if (name == "switch") return first_drawable(node, frame, depth);
-    if (name == "svg") return inner_svg(node, node, frame, depth);
+    if (name == "svg") return inner_svg(node, node, frame, depth, user);
     if (name == "use") return use(node, frame, depth);
     return shape(node, name, frame);
   }
@@ -344,11 +345,14 @@ class SvgReader {
     return selected ? element(selected, frame, depth + 1) : Status(Done{});
   }
 
-  // Draws the children of an inner <svg>, or of a <symbol> for which `sized` gives place and size.
-  Status inner_svg(const pugi::xml_node& node, const pugi::xml_node& sized, Frame frame, int depth) {
+  // Draws the children of an inner <svg>, or of a <symbol> for which `sized` gives place and size. A size of
+  // `user` replaces that of an <svg>.
+  Status inner_svg(const pugi::xml_node& node, const pugi::xml_node& sized, Frame frame, int depth,
+                   const pugi::xml_node& user = {}) {
     Vec2 at{0}, size = frame.viewport;
     if (const Status s = lengths(sized, frame, "x", "y", at); !s) return s;
     if (const Status s = lengths(sized, frame, "width", "height", size); !s) return s;
+    if (const Status s = lengths(user, frame, "width", "height", size); !s) return s;
     frame.map = frame.map * PlaneMap::translation(at);
     std::optional<std::array<double, 4>> box;
     if (const Status s = view_box(node, box); !s) return s;
@@ -372,7 +376,7 @@ class SvgReader {
     Vec2 at{0};
     if (const Status s = lengths(node, frame, "x", "y", at); !s) return s;
     frame.map = frame.map * PlaneMap::translation(at);
-    return element(found->second, frame, depth + 1);
+    return element(found->second, frame, depth + 1, node);
   }
 
   Status shape(const pugi::xml_node& node, std::string_view name, const Frame& frame) {

@@ -198,6 +198,16 @@ TEST(SvgDrawing, uses_repeat_elements_and_elements_left_out_are_counted) {
             "left out: 1 clip-path, 1 image, 2 text, 1 use of an element that is not in the file");
 }
 
+TEST(SvgDrawing, a_use_sets_the_size_of_an_inner_svg) {
+  const Drawing drawing = svg_of(
+      "<defs><svg id='s' width='10' height='10' viewBox='0 0 1 1'><path d='M0 0h1'/></svg></defs>"
+      "<use href='#s' x='5'/><use href='#s' width='20' height='30'/><use href='#s' height='4'/>");
+  ASSERT_EQ(drawing.lines.size(), 3u);
+  EXPECT_NEAR(length_of_line(drawing.lines[0]), 10 * kMillimetre, 1e-15);
+  EXPECT_NEAR(length_of_line(drawing.lines[1]), 20 * kMillimetre, 1e-15);
+  EXPECT_NEAR(length_of_line(drawing.lines[2]), 4 * kMillimetre, 1e-15);
+}
+
 TEST(SvgDrawing, a_switch_draws_its_first_child_that_needs_no_extension) {
   const Drawing drawing = svg_of(
       "<switch> <foreignObject requiredExtensions='urn:x'/><g><path d='M0 0h1'/><path d='M0 0h2'/></g>"

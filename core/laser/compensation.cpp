@@ -61,7 +61,9 @@ class RawOffset {
   // Adds the corner between two successive segments.
   void join(size_t i, size_t next) {
     const Vec2 corner = source_[i].end, d = direction(i), e = direction(next);
-    const double turn = det::atan2(cross2(d, e), glm::dot(d, e));
+    double turn = det::atan2(cross2(d, e), glm::dot(d, e));
+    // A line that runs back along itself is rounded at its end on both sides.
+    if (cross2(d, e) == 0 && glm::dot(d, e) < 0) turn = radius_ > 0 ? -kPi : kPi;
     if (turn * radius_ >= 0) {
       // Towards the side: the parallels cross, at this distance before the corner.
       const double cosine = 1 + glm::dot(d, e);

@@ -87,6 +87,17 @@ TEST(Compensation, circles_stay_circles) {
   }
 }
 
+TEST(Compensation, a_line_that_runs_back_along_itself_is_rounded_at_its_end) {
+  const DrawnLine back{{{0, 0}, {10, 0}, {0, 0}}, false, ""};
+  for (const PathSide side : {PathSide::kLeft, PathSide::kRight}) {
+    const auto made = offset_line(back, side, 1);
+    ASSERT_TRUE(made.ok());
+    ASSERT_EQ(made->size(), 1u);
+    EXPECT_LT(distance_to_line((*made)[0], {11, 0}), 0.01);
+    for (const Vec2& point : (*made)[0].points) EXPECT_NEAR(distance_to_line(back, point), 1, 0.01);
+  }
+}
+
 // Everything at the radius from the line, on the side, is on the compensated path, and nothing of that is
 // nearer.
 TEST(Compensation, wins_back_the_drawing_to_two_percent_of_the_radius) {

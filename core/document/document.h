@@ -85,9 +85,9 @@ class Document {
   // effect, are ignored and not written to the journal.
   //
   // A command that executes immediately first executes the whole queue; the outcome lists the changes of
-  // both. On failure the command itself has changed nothing, but the queue has been executed. Exception: if
-  // `progress` stops the replay that a StopStroke needs within its stroke, the command takes effect and the
-  // rest of the stroke is queued.
+  // both. On failure the command itself has changed nothing, but the queue has been executed, up to a step
+  // of it that fails. Exception: if `progress` stops the replay that a StopStroke needs within its stroke,
+  // the command takes effect and the rest of the stroke is queued.
   Outcome apply(const Command& command, const Progress* progress = nullptr);
   // Applies commands, except Undo and Redo, and executes them completely, all or nothing. First executes the
   // queue, which `progress` cannot stop. On failure, or if `progress` stops the commands, restores the world,

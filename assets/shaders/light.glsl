@@ -49,6 +49,7 @@ vec3 shaft_light(vec3 at) {
 }
 
 vec3 filmic(vec3 x) {  // K. Narkowicz, ACES filmic tone mapping curve, 2016
+  x = min(x, vec3(60000.0));  // right next to a bright light, the sum of half floats may be infinite
   return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 

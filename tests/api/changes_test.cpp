@@ -197,7 +197,9 @@ TEST(Changes, a_piece_that_a_stroke_in_steps_cuts_off_has_its_origin) {
   for (bool finished = false; !finished; ++steps) {
     finished = world.step_stroke(0, 0).is_finished;
     const std::vector<uint32_t> more = origins_of_new_pieces(world);
-    if (steps == 0) EXPECT_TRUE(more.empty());
+    if (steps == 0) {
+      EXPECT_TRUE(more.empty());
+    }
     origins.insert(origins.end(), more.begin(), more.end());
   }
   EXPECT_GT(steps, 2u);

@@ -28,7 +28,8 @@ std::string lower(std::string text) {
 }
 
 bool can_be_opened(const fs::path& file) {
-  return file.extension() == ".json" || is_journal(file) || mesh_format(lower(file.extension().string()));
+  const std::string ending = lower(file.extension().string());
+  return ending == ".json" || is_journal(file) || mesh_format(ending).has_value();
 }
 
 struct Choice {
@@ -414,7 +415,7 @@ bool is_of_kind(const std::string& name, FileKind kind) {
     case FileKind::kMeshes:
       return mesh_format(ending).has_value();
     case FileKind::kScenes:
-      return file.extension() == ".json";
+      return ending == ".json";
     case FileKind::kJournals:
       return is_journal(file);
     case FileKind::kDrawings:

@@ -316,8 +316,8 @@ void add_replay_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--expect", a->expect, "The expected final hash");
   auto* frames =
       command->add_option("--frames", a->frames,
-                          "A folder for a film in numbered PNGs: the beam crosses the diagonal of all "
-                          "meshes in four seconds, and undone commands are left out");
+                          "A folder for a film in numbered PNGs; for a journal, the beam crosses the "
+                          "diagonal of all meshes in four seconds, and undone commands are left out");
   add_number(*command, "--fps", a->frames_per_second, {1, 1000}, "Frames per second of the film (30)")
       ->needs(frames);
   a->picture.add_to(*command, frames);

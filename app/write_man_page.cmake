@@ -126,10 +126,10 @@ Folders of settings and of autosaved journals. Defaults: \fI~/.config\fR and \fI
 Meshes, scenes, materials and shaders; \fIPREFIX/share/kerf\fR for another prefix.
 .TP
 .I $XDG_CONFIG_HOME/kerf
-Settings and window layout of the editor.
+Settings of the editor and the game, and the window layout.
 .TP
 .I $XDG_STATE_HOME/kerf
-Autosaved journals.
+Autosaved journals, high scores, and worlds of matches opened in the editor.
 .SH EXAMPLES
 ]])
 string(APPEND page "${examples}")

@@ -39,7 +39,7 @@ class Cancelled : public Error {
  public:
   using Error::Error;
 };
-// A call on a world that another call uses.
+// A call on a world that another call or a stroke in steps uses.
 class Busy : public Error {
  public:
   using Error::Error;
@@ -373,7 +373,7 @@ class World {
     world_.reset(world);
   }
   // Creates a world from a file. path: a scene (.json), a journal (.kerf), whose commands are replayed, or a
-  // mesh. Throws InvalidArgument for an invalid file; Error. Cost: loading the meshes and replaying the cuts.
+  // mesh. Throws InvalidArgument for an invalid file; Error; Cancelled. Cost: loading and replaying it.
   explicit World(const std::string& path, const CallOptions& options = {}) {
     kerf_world* world = nullptr;
     Run(options).call([&](const kerf_call_options* c) { return kerf_world_open(path.c_str(), c, &world); });

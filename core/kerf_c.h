@@ -19,8 +19,9 @@
  * them. KERF_..._INIT sets the size and the defaults. A valid size is a multiple of 8, at least 8 and at most
  * the sizeof in the library's own header; any other is KERF_INVALID_ARGUMENT.
  *
- * Determinism: results are bit-identical on every x86-64 processor. They do not depend on the number of
- * threads, the locale, or the caller's rounding and flush-to-zero modes, which are restored on return.
+ * Determinism: results are bit-identical on every x86-64 processor, those of simulations with the same C
+ * library and Bullet. They do not depend on the number of threads, the locale, or the caller's rounding and
+ * flush-to-zero modes, which are restored on return.
  *
  * Threads: all functions may be called from several threads at the same time. Any number of calls may read
  * one world (`const kerf_world*`). A call that changes a world (`kerf_world*`) needs exclusive access: it
@@ -58,7 +59,7 @@ KERF_API kerf_result kerf_world_create(kerf_world** out);
  * path: a scene (.json), a journal (.kerf), whose commands are replayed, or a mesh. An incomplete last
  *   line of a journal is ignored.
  * Errors: KERF_INVALID_ARGUMENT for an invalid file; KERF_FAILED, e.g. if the strokes of a scene would make
- * more faces than the memory holds. Cost: loading the meshes and replaying the cuts. */
+ * more faces than the memory holds; KERF_CANCELLED. Cost: loading the meshes and replaying the cuts. */
 KERF_API kerf_result kerf_world_open(const char* path, const kerf_call_options* options, kerf_world** out);
 
 /* Destroys a world. No-op if `world` is null. Precondition: no other call uses the world. */
@@ -293,8 +294,8 @@ KERF_API kerf_result kerf_world_cut(kerf_world* world, const kerf_stroke* stroke
  * both sides become pieces of their own, and those of solids are closed by walls. A solid whose section is
  * not closed stays open without an error (see kerf_mesh_info::is_closed). A step of the history.
  * normal: finite and not zero, of any length.
- * Errors: KERF_INVALID_ARGUMENT; KERF_FAILED if a body would exceed the maximum number of faces;
- * KERF_CANCELLED. O(faces). */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid plane; KERF_FAILED if a body would exceed the maximum number
+ * of faces; KERF_CANCELLED. O(faces). */
 KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal[3], double distance,
                                           const kerf_call_options* options);
 
@@ -331,10 +332,10 @@ typedef struct kerf_stroke_progress {
   int is_finished;      /* 1 if the stroke was ended and all of it is done; the stroke no longer exists */
   size_t waiting;       /* number of parts of moves to execute, an estimate */
   size_t faces;         /* created and removed in this step */
-  size_t removed_faces; /* since the begin of the stroke */
+  size_t removed_faces; /* since the stroke began */
   double removed_area;  /* m^2, likewise */
   double seconds;       /* duration of this step */
-  double emitted, absorbed, depth; /* as in kerf_cut_result, since the begin of the stroke */
+  double emitted, absorbed, depth; /* as in kerf_cut_result, since the stroke began */
 } kerf_stroke_progress;
 #define KERF_STROKE_PROGRESS_INIT \
   { sizeof(kerf_stroke_progress), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }

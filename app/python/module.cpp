@@ -368,7 +368,8 @@ void add_exceptions(py::module_& m) {
                                 PyExc_RuntimeError);
   classes.cancelled =
       add_exception(m, "Cancelled", "A call that its progress callback cancelled.", classes.error);
-  classes.busy = add_exception(m, "Busy", "A call on a world that another call uses.", classes.error);
+  classes.busy = add_exception(m, "Busy", "A call on a world that another call or a stroke in steps uses.",
+                               classes.error);
   const py::tuple bases = py::make_tuple(py::handle(PyExc_FileNotFoundError), py::handle(PyExc_ValueError));
   classes.file_not_found = add_exception(m, "FileNotFound", "A path without a file.", bases);
   py::register_exception_translator([](std::exception_ptr thrown) {

@@ -130,7 +130,7 @@ void add_cuts(WorldClass& world) {
            "Cuts all visible bodies along a plane by a knife of no width, which removes nothing; both sides "
            "of solids are closed.\n\n"
            "normal: of any length but 0.\n"
-           "offset: the plane holds the points x with normal . x = offset, in metres for a unit normal.\n"
+           "offset: the plane contains the points x with normal . x = offset, in metres for a unit normal.\n"
            "progress, threads: as in cut.\n\n"
            "Raises TypeError or ValueError for a wrong argument, Cancelled, Busy, and Error if a body would "
            "get too many faces. A failed cut changes nothing.")
@@ -160,7 +160,7 @@ void add_cuts(WorldClass& world) {
           "max_faces: target for the faces created and removed; None: no limit.\n"
           "max_seconds: target for the duration in seconds; None: no limit.\n\n"
           "Returns a dict of is_idle (all work known so far is done), is_finished, faces and seconds of this "
-          "step, waiting (moves to execute); and since the begin of the stroke the other values that cut "
+          "step, waiting (moves to execute); and since the stroke began the other values that cut "
           "returns.\n\n"
           "Raises ValueError for a negative number, or if there is no stroke; Error, and cancels the "
           "stroke, if a body would get too many faces.")

@@ -13,8 +13,8 @@ A failed call changes nothing, unless stated otherwise, and raises
     ValueError         for bad input; the message states what failed and where,
     FileNotFoundError  for a path without a file,
     kerf.Cancelled     if the progress callback cancelled the call,
-    kerf.Busy          if another thread uses the world,
-    kerf.Error         for everything else, such as a full disk; it is the base of the last two.
+    kerf.Busy          if another thread or a stroke in steps uses the world,
+    kerf.Error         for everything else, such as a full disk; the base of Cancelled and Busy.
 
 Several threads may read one world at the same time: pieces, hits, hash, report, graph and the save functions.
 Functions that change it, such as add and cut, raise kerf.Busy while another thread uses the world, and the others raise

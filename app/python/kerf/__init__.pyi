@@ -34,7 +34,7 @@ class Cancelled(Error):
     """A call that its progress callback cancelled."""
 
 class Busy(Error):
-    """A call on a world that another call uses."""
+    """A call on a world that another call or a stroke in steps uses."""
 
 class FileNotFound(FileNotFoundError, ValueError):
     """A path without a file."""

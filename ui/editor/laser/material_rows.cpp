@@ -475,7 +475,7 @@ std::string depth_text(const StepStatistics& statistics) {
 
 static std::string unit_note(FileUnit unit) {
   if (unit == FileUnit::kMetre) return "";
-  return ". The thermal model takes a unit of this file for a metre: convert the file to metres first";
+  return ". The thermal model treats the unit of this file as a metre: convert the file to metres first";
 }
 
 std::string forecast_text(const LaserControls& laser, const SheetHit& met, double speed, FileUnit unit) {

@@ -32,8 +32,8 @@ TEST(Forecast, notes_that_units_of_the_file_count_as_metres) {
   for (const double speed : {0.0, 0.02}) {
     const std::string metres = forecast_text(laser, SheetHit(), speed, FileUnit::kMetre),
                       other = forecast_text(laser, SheetHit(), speed, FileUnit::kMillimetre);
-    EXPECT_EQ(metres.find("for a metre"), std::string::npos) << metres;
-    EXPECT_NE(other.find("takes a unit of this file for a metre"), std::string::npos) << other;
+    EXPECT_EQ(metres.find("as a metre"), std::string::npos) << metres;
+    EXPECT_NE(other.find("treats the unit of this file as a metre"), std::string::npos) << other;
   }
 }
 

@@ -38,15 +38,19 @@ struct KnifeStrip {
   double past_from(const Vec3& p) const { return glm::dot(p - from.origin, after_from); }
   double short_of_to(const Vec3& p) const { return glm::dot(p - to.origin, before_to); }
   double depth(const Vec3& p) const {
-    for (const KnifeStrip& part : parts) {
-      if (&part == &parts.back() || part.short_of_to(p) >= 0) return part.depth(p);
-    }
+    if (!parts.empty()) return parts[part_at(p)].depth(p);
     const Vec3 step = to.origin - from.origin;
     const double before = past_from(p), after = short_of_to(p);
     const double share = before + after > 0 ? std::clamp(before / (before + after), 0.0, 1.0) : 0;
     const Vec3 ray = p - (from.origin + share * step);
     if (step == Vec3(0)) return glm::length(ray);
     return glm::dot(ray, glm::normalize(from.direction + share * (to.direction - from.direction)));
+  }
+  // Returns the index of the part next to a point. Precondition: there are parts. O(log parts).
+  size_t part_at(const Vec3& p) const {
+    const auto is_before = [&](const KnifeStrip& part) { return part.short_of_to(p) < 0; };
+    const auto at = std::partition_point(parts.begin(), std::prev(parts.end()), is_before);
+    return static_cast<size_t>(at - parts.begin());
   }
 };
 
@@ -302,8 +306,10 @@ class PathCut {
   // Returns true if an edge between vertices within a strip lies within its range where the path bends.
   bool stays_within(VertexId from, VertexId to, uint32_t strip) const {
     const KnifeStrip& s = strips_[strip];
+    if (s.parts.empty()) return true;
     const Vec3 a = mesh().position(from), b = mesh().position(to);
-    for (size_t i = 0; i + 1 < s.parts.size(); ++i) {
+    const auto [first, last] = std::minmax({s.part_at(a), s.part_at(b)});
+    for (size_t i = first; i < last; ++i) {
       const double of_a = s.parts[i].short_of_to(a), of_b = s.parts[i].short_of_to(b);
       if ((of_a < 0) == (of_b < 0)) continue;
       const Vec3 bend = a + of_a / (of_a - of_b) * (b - a);

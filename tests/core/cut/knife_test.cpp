@@ -512,6 +512,20 @@ TEST(KnifePath, reaches_as_far_as_its_beam_where_it_bends_within_a_plane) {
   EXPECT_EQ(pieces(2.5), 2u);
 }
 
+// The origin of the beam is 0.9 to 1.1 m above the sheet, and each new edge passes bends at 1.1 m.
+TEST(KnifePath, reaches_as_far_as_its_beam_at_each_of_many_bends_within_a_plane) {
+  const auto pieces = [](double depth) {
+    World sheet = world_of(grid(20, 1));
+    KnifePath path{{}, {0, depth}};
+    for (int i = 0; i <= 200; ++i)
+      path.poses.push_back({{-0.6 + 0.006 * i, i % 2 == 0 ? 0.9 : 1.1, 0.01}, {0, -1, 0}});
+    cut(sheet, path);
+    return faces_by_piece(only_body(sheet), false).size();
+  };
+  EXPECT_EQ(pieces(1), 1u);
+  EXPECT_EQ(pieces(1.2), 2u);
+}
+
 TEST(KnifePath, finds_the_first_pose_off_the_plane_of_the_one_before) {
   const Vec3 down(0, -1, 0), turned = glm::normalize(Vec3(0, -1, 1));
   KnifePath path{{{{-1, 1, 0}, down}, {{1, 1, 0}, down}, {{1, 1, 2}, turned}}, {0, 5}};

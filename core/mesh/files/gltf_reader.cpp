@@ -84,7 +84,8 @@ class GltfReader {
       if (!scene) return scene.error();
       const uint32_t shown = scene->value_or(0);
       if (const size_t count = file_.count("scenes"); count > 1)
-        warnings_.push_back("Only one of " + std::to_string(count) + " scenes was read, the default one.");
+        warnings_.push_back("Only one of " + std::to_string(count) + " scenes was read, the " +
+                            (*scene ? "default" : "first") + " one.");
       return push_nodes(file_.element("scenes", shown), "nodes", "/scenes/" + std::to_string(shown),
                         Matrix(1));
     }

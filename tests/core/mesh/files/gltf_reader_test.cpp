@@ -139,6 +139,9 @@ TEST(Gltf, reports_scenes_that_are_not_read) {
   ASSERT_EQ(soup.parts.size(), 1u);
   EXPECT_EQ(soup.parts[0].name, "other");
   EXPECT_EQ(soup.warnings, std::vector<std::string>{"Only one of 2 scenes was read, the default one."});
+  file.erase("scene");
+  EXPECT_EQ(soup_of(file).warnings,
+            std::vector<std::string>{"Only one of 2 scenes was read, the first one."});
 }
 
 TEST(Gltf, is_fast_for_many_nodes_with_many_primitives_without_triangles) {

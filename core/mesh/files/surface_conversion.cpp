@@ -417,7 +417,9 @@ std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMater
   lines.push_back({"d " + short_number(translucent && base.size() > 3 ? base[3] : 1)});
   lines.push_back({"Pr " + short_number(roughness)});
   lines.push_back({"Pm " + short_number(metallic.empty() ? 1 : metallic[0])});
-  if (const auto emission = members.numbers(json, "emissiveFactor"); !emission.empty())
+  // Without its map the factor would light the whole surface.
+  if (const auto emission = members.numbers(json, "emissiveFactor");
+      !emission.empty() && uses_first_uvs(members.object("emissiveTexture")))
     lines.push_back({colour_line("Ke", emission)});
   const auto add_map = [&](const std::string& text, const SurfaceJson& of, const char* key) {
     const auto image = members.image(of, key);

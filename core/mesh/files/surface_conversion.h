@@ -19,7 +19,7 @@ nlohmann::ordered_json metallic_roughness(const nlohmann::ordered_json& material
 // the maps of the base colour, the opacity, the emission and the normals that use the first UVs. Each map has
 // the scale and offset of its texture as -s and -o, unless that is rotated, and the normal map its scale as
 // -bm. Colours are converted from linear light to sRGB. A material whose alphaMode is OPAQUE has the opacity
-// 1 and no map of it.
+// 1 and no map of it, and one whose emission has a map with other UVs has no Ke.
 std::vector<MtlLine> mtl_lines(const SurfaceLibrary& library, const SurfaceMaterial& material);
 
 // A material to write. The library, null for none, must outlive all that is made from it.

@@ -84,7 +84,9 @@ class LookReader {
     SurfaceLook look;
     const Json pbr = metallic_roughness(material);
     read_vector(pbr, "baseColorFactor", look.base);
-    read_vector(material, "emissiveFactor", look.emission);
+    // Without its map the factor would light the whole surface.
+    if (uses_first_uvs(member(material, "emissiveTexture")))
+      read_vector(material, "emissiveFactor", look.emission);
     look.metallic = std::clamp(number(pbr, "metallicFactor", 1), 0.0, 1.0);
     look.roughness = std::clamp(number(pbr, "roughnessFactor", 1), 0.0, 1.0);
     look.cutoff = number(material, "alphaCutoff", 0.5);

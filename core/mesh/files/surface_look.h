@@ -32,7 +32,8 @@ struct SurfaceLook {
 };
 
 // Returns the looks of the materials of a library; nullopt for those that the file only names. Converts MTL
-// like mtl_lines() does. Ignores maps that use another set of UVs than the first.
+// like mtl_lines() does. Ignores maps that use another set of UVs than the first, and emission with such a
+// map.
 std::vector<std::optional<SurfaceLook>> surface_looks(const SurfaceLibrary& library);
 
 // Return the transform of the UVs of a map: KHR_texture_transform of a texture in glTF, or the options -s and

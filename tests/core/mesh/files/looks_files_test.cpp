@@ -602,15 +602,19 @@ TEST(MtlLines, have_no_textures_whose_transform_uses_other_uvs) {
   SurfaceMaterial& material = library.materials.emplace_back();
   material.gltf = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"
                   R"({"KHR_texture_transform":{"texCoord":1}}}},"normalTexture":{"index":0,"texCoord":1,)"
-                  R"("extensions":{"KHR_texture_transform":{"texCoord":0}}}})";
+                  R"("extensions":{"KHR_texture_transform":{"texCoord":0}}},)"
+                  R"("emissiveFactor":[1,1,1],"emissiveTexture":{"index":0,"texCoord":1}})";
   const auto lines = mtl_lines(library, material);
   EXPECT_EQ(text_with("map_Kd", lines), "");
+  EXPECT_EQ(text_with("Ke", lines), "") << "the whole surface would glow";
   EXPECT_EQ(text_with("norm", lines), "norm ");
-  EXPECT_EQ(lost_in_mtl(library, material), std::vector<std::string>{"baseColorTexture texCoord"});
+  EXPECT_EQ(lost_in_mtl(library, material),
+            (std::vector<std::string>{"baseColorTexture texCoord", "emissiveTexture texCoord"}));
   const auto looks = surface_looks(library);
   ASSERT_TRUE(looks.size() == 1 && looks[0]);
   EXPECT_FALSE(looks[0]->maps[static_cast<size_t>(SurfaceMap::kBase)]);
   EXPECT_TRUE(looks[0]->maps[static_cast<size_t>(SurfaceMap::kNormal)]);
+  EXPECT_EQ(looks[0]->emission, Vec3(0));
 }
 
 TEST(MtlLines, have_the_opacity_of_the_alpha_mode) {

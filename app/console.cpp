@@ -139,7 +139,7 @@ ProgressLine::ProgressLine(std::string work)
     : work_(std::move(work)),
       terminal_(!quiet && ::isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now() + kBeforeFirst) {
-  work_ = with_stream_names(std::move(work_));
+  work_ = one_line(with_stream_names(std::move(work_)));
   if (work_.size() > kMaxWork) work_ = work_.substr(0, kMaxWork - 3) + "...";
 }
 

@@ -60,15 +60,15 @@ class TerminalOutput(unittest.TestCase):
         self.assertRegex(end, rb"^kerf: 1 stroke removed [^\n]*\r\n$")
 
     def test_ctrl_c_cancels_loading_a_long_file(self):
-        self.write("long.obj", PLATE + "vt 0 0\n" * 20_000_000)
-        for command in (["info", "long.obj"], ["cut", "long.obj", "--out", "out"],
-                        ["render", "long.obj", "--out", "l.png"]):
+        long = "very\nlong.obj"
+        self.write(long, PLATE + "vt 0 0\n" * 20_000_000)
+        for command in (["info", long], ["cut", long, "--out", "out"], ["render", long, "--out", "l.png"]):
             run = Terminal(*command, cwd=self.folder.name)
-            self.assertTrue(run.read_until(b"kerf: loading long.obj"), run.shown)
+            self.assertTrue(run.read_until(b"kerf: loading very?long.obj"), run.shown)
             run.process.send_signal(signal.SIGINT)
             self.assertEqual(run.finish(), 130, run.shown)
             self.assertTrue(run.shown.endswith(b"\r\x1b[Kkerf: interrupted\r\n"), run.shown[-60:])
-        self.assertEqual(sorted(os.listdir(self.folder.name)), ["across.json", "long.obj", "plate.obj"])
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["across.json", "plate.obj", long])
 
 
 def has_pseudo_terminals():

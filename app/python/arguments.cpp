@@ -85,7 +85,9 @@ uint32_t piece_argument(const py::handle& object) {
 Doubles doubles_argument(const py::handle& object) {
   constexpr std::string_view kRealNumbers = "biufO";  // kinds of NumPy; O: objects with __float__
   Doubles doubles = py::reinterpret_steal<Doubles>(py::handle());
-  const auto any = py::array::ensure(object);
+  auto any = py::array::ensure(object);
+  // The members decide, because NumPy converts objects that are texts, too.
+  if (any && any.dtype().kind() == 'O' && any.size() > 0) any = py::array::ensure(any.attr("tolist")());
   if (any && kRealNumbers.find(any.dtype().kind()) != std::string_view::npos) doubles = Doubles::ensure(any);
   if (!doubles) PyErr_Clear();
   return doubles;

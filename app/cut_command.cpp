@@ -432,18 +432,7 @@ class CutRun {
     }
     if (const Status begun = begin_journal(); !begun) return begun;
     if (const Status made = folder.make(); !made) return made;
-    return check_provenance();
-  }
-
-  // Fails if the file of --provenance cannot be written. Does not open a device or a pipe, which has a
-  // reader.
-  Status check_provenance() const {
-    if (options_.provenance.empty()) return Done{};
-    std::error_code error;
-    const std::filesystem::path file = options_.provenance;
-    if (std::filesystem::is_other(file, error)) return Done{};
-    const auto trial = AtomicFile::open(file);
-    return trial ? Status(Done{}) : trial.error();
+    return options_.provenance.empty() ? Status(Done{}) : check_writable(options_.provenance);
   }
 
   // Writes the head of the journal.

@@ -188,7 +188,7 @@ class PlayRun {
                                        {"--landmarks", arguments_.landmarks}}) {
       if (const Status free = inputs.check(option, file); !free) return free;
     }
-    return Done{};
+    return arguments_.record.empty() ? Status(Done{}) : check_writable(arguments_.record);
   }
 
   Status load() {

@@ -175,6 +175,13 @@ Status AtomicFile::commit() {
   return Done{};
 }
 
+Status check_writable(const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (fs::is_other(path, unknown)) return Done{};
+  const auto trial = AtomicFile::open(path);
+  return trial ? Status(Done{}) : trial.error();
+}
+
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
   return write_file_atomically(path, [&](const ByteSink& sink) { sink(bytes); });
 }

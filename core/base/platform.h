@@ -40,6 +40,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+// Fails like AtomicFile::open if a file cannot be written, and leaves it unchanged. Does not open a device or
+// a pipe, which has a reader.
+Status check_writable(const std::filesystem::path& path);
+
 // Writes a whole file by AtomicFile, or leaves the previous contents untouched.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 

@@ -187,6 +187,13 @@ class Outputs(unittest.TestCase):
         self.assertIn("cannot write folder", done.stderr)
         self.assertEqual(self.kerf("replay", "m.kerf").returncode, 0)
 
+    def test_an_unwritable_recording_is_reported_before_the_match(self):
+        os.mkdir(self.path("folder"))
+        done = self.kerf("play", "--headless", "--driver", "still", "--seconds", "0.1", "--report", "r.json", "--record", "folder")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertIn("cannot write folder", done.stderr)
+        self.assertFalse(os.path.exists(self.path("r.json")))
+
     def test_buffers_of_a_gltf_file_count_as_inputs(self):
         self.cut("plate.obj", "--format", "gltf", "--out", "g")
         gltf = json.loads(self.read("g/piece-0000.gltf"))

@@ -37,6 +37,29 @@ double distance2_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return glm::dot(apart, apart);
 }
 
+// Products of six lengths leave the range of doubles for triangles beyond 1e51 m or below 1e-51 m. Returns
+// the exponent of the power of two by which such a triangle must be divided; 0 for others. `length2`: squared
+// length of its normal.
+int exponent_out_of_range(const Triangle& t, double length2) {
+  constexpr double kMinPlain = 0x1p-600, kMaxPlain = 0x1p600;  // m^4
+  constexpr int kPlainExponents = 128;                         // of faces without area, too
+  if (length2 >= kMinPlain && length2 <= kMaxPlain) return 0;
+  double longest = 0;
+  for (const Vec3& side : {t[1] - t[0], t[2] - t[0]}) {
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, std::abs(side[k]));
+  }
+  if (!(longest > 0) || !std::isfinite(longest)) return 0;
+  const int exponent = std::ilogb(longest);
+  return std::abs(exponent) < kPlainExponents ? 0 : exponent;
+}
+
+Vec3 shifted(const Vec3& p, int exponent) {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
+Triangle shifted(const Triangle& t, int exponent) {
+  return {shifted(t[0], exponent), shifted(t[1], exponent), shifted(t[2], exponent)};
+}
+
 constexpr uint32_t kMaxInLeaf = 4;  // triangles
 
 // A tree of boxes over triangles; each node is split along its longest side into halves with equal numbers of
@@ -237,10 +260,12 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 double squared_distance(const Vec3& p, const Triangle& t) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) nearest = std::min(nearest, distance2_to_segment(p, t[i], t[(i + 1) % 3]));
   const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double length2 = glm::dot(normal, normal);
+  if (const int exponent = exponent_out_of_range(t, length2); exponent != 0)
+    return std::ldexp(squared_distance(shifted(p, -exponent), shifted(t, -exponent)), 2 * exponent);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) nearest = std::min(nearest, distance2_to_segment(p, t[i], t[(i + 1) % 3]));
   if (!(length2 > 0)) return nearest;
   for (int i = 0; i < 3; ++i) {
     if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;
@@ -250,6 +275,10 @@ double squared_distance(const Vec3& p, const Triangle& t) {
 }
 
 Vec3 nearest_point(const Vec3& p, const Triangle& t) {
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length2 = glm::dot(normal, normal);
+  if (const int exponent = exponent_out_of_range(t, length2); exponent != 0)
+    return shifted(nearest_point(shifted(p, -exponent), shifted(t, -exponent)), exponent);
   Vec3 nearest = t[0];
   double least = std::numeric_limits<double>::infinity();
   const auto try_point = [&](const Vec3& q) {
@@ -259,8 +288,6 @@ Vec3 nearest_point(const Vec3& p, const Triangle& t) {
     nearest = q;
   };
   for (int i = 0; i < 3; ++i) try_point(nearest_on_segment(p, t[i], t[(i + 1) % 3]));
-  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  const double length2 = glm::dot(normal, normal);
   if (!(length2 > 0)) return nearest;
   for (int i = 0; i < 3; ++i) {
     if (glm::dot(glm::cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return nearest;

@@ -47,6 +47,16 @@ TEST(PointToTriangle, is_exact_above_the_face_next_to_an_edge_and_beyond_a_corne
   EXPECT_EQ(nearest_point({0.5, 3, 0.5}, t), Vec3(0.5, 0, 0.5));
 }
 
+TEST(PointToTriangle, is_exact_for_triangles_of_any_size) {
+  for (const int exponent : {-480, -260, -190, 0, 190, 260, 480}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const Triangle t{Vec3(0), unit * Vec3(2, 0, 0), unit * Vec3(0, 0, 2)};
+    const Vec3 above = unit * Vec3(0.5, 3, 0.5);
+    EXPECT_EQ(squared_distance(above, t), std::ldexp(9.0, 2 * exponent)) << exponent;
+    EXPECT_EQ(nearest_point(above, t), unit * Vec3(0.5, 0, 0.5)) << exponent;
+  }
+}
+
 TEST(PointToTriangle, of_a_degenerate_triangle_is_measured_to_its_line_or_point) {
   EXPECT_NEAR(squared_distance({1, 2, 0}, {Vec3(0), Vec3(4, 0, 0), Vec3(2, 0, 0)}), 4, 1e-12);
   EXPECT_NEAR(squared_distance({1, 2, 2}, {Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0)}), 8, 1e-12);

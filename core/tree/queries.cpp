@@ -429,7 +429,12 @@ std::optional<double> ShearedRay::cross(const Triangle& t) const {
   // A triangle projected to a point is parallel to the ray. One whose projected area rounds to 0 is crossed.
   if (p[0] == p[1] && p[1] == p[2]) return std::nullopt;
   if (sum == 0) return sum_in_order(z[0], z[1], z[2]) / 3 * per_z_;
-  return sum_in_order(a * z[0], b * z[1], c * z[2]) / sum * per_z_;
+  const double weighted = sum_in_order(a * z[0], b * z[1], c * z[2]);
+  // Products of three lengths leave the range of doubles for triangles beyond 1e102 m or below 1e-90 m.
+  constexpr double kMinPlain = 0x1p-600;  // m^2
+  if (!(std::abs(sum) >= kMinPlain && std::isfinite(weighted)))
+    return sum_in_order(a / sum * z[0], b / sum * z[1], c / sum * z[2]) * per_z_;
+  return weighted / sum * per_z_;
 }
 
 void AabbTree::crossings(const Mesh& mesh, const Pose& ray, Interval range, std::vector<RayHit>& out) const {

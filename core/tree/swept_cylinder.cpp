@@ -28,8 +28,12 @@ double distance2_to_segment(Vec2 a, Vec2 b) {
   const double length2 = glm::dot(ab, ab), along = -glm::dot(a, ab);
   if (!(along > 0)) return glm::dot(a, a);
   if (along >= length2) return glm::dot(b, b);
-  const double area = cross2(a, b);
-  return area * area / length2;
+  const double area = cross2(a, b), square = area * area;
+  // Products of four lengths leave the range of doubles beyond 1e77 m and below 1e-68 m.
+  constexpr double kMinPlain = 0x1p-900;  // m^4
+  if (square >= kMinPlain && std::isfinite(square)) return square / length2;
+  const double distance = area / std::sqrt(length2);
+  return distance * distance;
 }
 
 // Returns true if the closed triangle contains the origin; false for a degenerate triangle.

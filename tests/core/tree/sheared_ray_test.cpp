@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/tree/aabb_tree.h"
 #include "tests/support/real_meshes.h"
@@ -85,6 +86,16 @@ TEST(ShearedRay, misses_a_triangle_it_sees_as_a_point) {
   const Triangle t{Vec3(1, 0, 1), Vec3(1, 3, 1), Vec3(1, 5, 1)};
   EXPECT_FALSE(ShearedRay({{0, -9, 0}, {0, 1, 0}}).cross(t));
   EXPECT_FALSE(ShearedRay({{1, -9, 1}, {0, 1, 0}}).cross(t));
+}
+
+TEST(ShearedRay, crosses_triangles_of_any_size) {
+  for (const int exponent : {-480, -380, 0, 380, 480}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const Triangle t{unit * Vec3(-1, 2, -1), unit * Vec3(3, 2, -1), unit * Vec3(-1, 2, 3)};
+    const std::optional<double> length = ShearedRay({{0, -unit, 0}, {0, 1, 0}}).cross(t);
+    ASSERT_TRUE(length) << exponent;
+    EXPECT_EQ(*length, 3 * unit) << exponent;
+  }
 }
 
 // A ray through a vertex or the middle of an edge goes in as often as out.

@@ -165,6 +165,19 @@ TEST(SweptCylinder, includes_its_boundary) {
   EXPECT_FALSE(beam.touches({Vec3(std::nextafter(0.25, 1.0), 0, 0), Vec3(1, 0, -1), Vec3(1, 0, 1)}));
 }
 
+TEST(SweptCylinder, touches_triangles_of_any_size) {
+  for (const int exponent : {-480, -260, 0, 260, 480}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const Pose pose{{0, 2 * unit, 0}, {0, -1, 0}};
+    const SweptCylinder beam(pose, pose, unit, {0, 4 * unit});
+    const auto beside = [&](double x) {
+      return Triangle{unit * Vec3(x, 0, -3), unit * Vec3(x, 0, 3), unit * Vec3(x + 3, 0, 0)};
+    };
+    EXPECT_TRUE(beam.touches(beside(0.5))) << exponent;
+    EXPECT_FALSE(beam.touches(beside(1.5))) << exponent;
+  }
+}
+
 // Every ray through a fan of triangles around a vertex touches at least one of them, also exactly through
 // edges.
 TEST(SweptCylinder, never_slips_between_neighbours_at_radius_zero) {

@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/base/deterministic_math.h"
 #include "core/base/principal_axes.h"
+#include "core/mesh/face_batches.h"
 #include "core/tree/surface_comparison.h"
 
 namespace kerf {
@@ -37,16 +38,14 @@ RigidMotion rotate_to(const glm::dquat& rotation, const Vec3& from, const Vec3& 
 
 // Returns the centroid of the area of a surface; of samples if it has no area.
 Vec3 centroid_of(const Mesh& mesh) {
-  Vec3 sum(0);
   double area = 0;
-  for (uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!mesh.is_live(FaceId(f))) continue;
-    const Triangle t = mesh.triangle(FaceId(f));
-    const double own = glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
-    sum += own * ((t[0] + t[1] + t[2]) / 3.0);
-    area += own;
-  }
-  return area > 0 ? sum / area : mean_of(sample_surface(mesh, kTrialSamples));
+  Vec3 centroid(0);
+  for_each_triangle(mesh, 0, mesh.face_slots(), [&](FaceId, const Triangle& t) { area += triangle_area(t); });
+  if (!(area > 0)) return mean_of(sample_surface(mesh, kTrialSamples));
+  for_each_triangle(mesh, 0, mesh.face_slots(), [&](FaceId, const Triangle& t) {
+    centroid += triangle_area(t) / area * ((t[0] + t[1] + t[2]) / 3.0);
+  });
+  return centroid;
 }
 
 // Equal centroids, and equal principal axes in the four orientations that keep them right-handed.

@@ -32,7 +32,7 @@ struct CumulatedArea {
       if (mesh.is_live(FaceId(f))) faces.emplace_back(f);
     }
     double sum = 0;
-    for (const FaceId f : faces) until.push_back(sum += glm::length(normal_of(mesh.triangle(f))) / 2);
+    for (const FaceId f : faces) until.push_back(sum += triangle_area(mesh.triangle(f)));
     if (sum > 0) return;
     for (size_t i = 0; i < until.size(); ++i) until[i] = static_cast<double>(i + 1);
   }

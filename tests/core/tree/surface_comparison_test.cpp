@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "core/base/deterministic_math.h"
@@ -110,6 +111,25 @@ TEST(SurfaceComparison, counts_the_cavity_of_a_solid_as_outside) {
   ASSERT_TRUE(in_wall.signed_by && in_cavity.signed_by);
   EXPECT_LT(in_wall.signed_by->max, 0);
   EXPECT_GT(in_cavity.signed_by->min, 0);
+}
+
+TEST(SurfaceComparison, has_the_same_digits_for_surfaces_of_any_size) {
+  const auto found_at = [](double size) {
+    const Soup inner = moved(sphere(8, 16, 1), Vec3(0), size),
+               outer = moved(sphere(8, 16, 1.25), Vec3(0), size);
+    return compare(outer, inner, Alignment::kCentre);
+  };
+  const SurfaceComparison plain = found_at(1);
+  ASSERT_TRUE(plain.signed_by);
+  for (const int exponent : {-400, 400}) {
+    SCOPED_TRACE(exponent);
+    const double size = std::ldexp(1.0, exponent);
+    const SurfaceComparison found = found_at(size);
+    ASSERT_TRUE(found.signed_by);
+    EXPECT_NEAR(found.max / size, plain.max, 1e-12);
+    EXPECT_NEAR(found.mean / size, plain.mean, 1e-12);
+    EXPECT_NEAR(found.signed_by->mean / size, plain.signed_by->mean, 1e-12);
+  }
 }
 
 TEST(SurfaceComparison, spreads_samples_evenly_over_the_area) {

@@ -263,30 +263,48 @@ class Orienter {
 struct Volume {
   double sum = 0, bound = 0;
 
-  void add(const Vec3& apex, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a, ac = c - a, up = a - apex;
+  void add(const Vec3& ab, const Vec3& ac, const Vec3& up) {
     sum += glm::dot(up, glm::cross(ab, ac));
     bound += glm::length(up) * glm::length(ab) * glm::length(ac);
   }
 };
 
-// Returns the sign of the signed volume of a closed patch. The terms are bounded by the lengths of their
-// edges, so that a patch without volume, whose sum is only rounding, has the sign 0.
-int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
-                   std::span<const uint32_t> patch) {
+// Returns the volume of a patch with all lengths multiplied by a power of two.
+Volume volume_of(std::span<const Vec3> positions, const Triangles& triangles, std::span<const uint32_t> patch,
+                 double scale) {
   constexpr size_t kTriangles = 1 << 16;  // per range
   const Vec3& apex = positions[triangles[patch[0]][0]];
   std::vector<Volume> parts(range_count(patch.size(), kTriangles));
   for_each_range(patch.size(), kTriangles, [&](size_t i, size_t end) {
     Volume volume;
     for (const uint32_t t : patch.subspan(i, end - i)) {
-      const auto& [a, b, c] = triangles[t];
-      volume.add(apex, positions[a], positions[b], positions[c]);
+      const Vec3 &a = positions[triangles[t][0]], &b = positions[triangles[t][1]],
+                 &c = positions[triangles[t][2]];
+      volume.add((b - a) * scale, (c - a) * scale, (a - apex) * scale);
     }
     parts[i / kTriangles] = volume;
   });
   Volume whole;
   for (const Volume& part : parts) whole = {whole.sum + part.sum, whole.bound + part.bound};
+  return whole;
+}
+
+// Returns the power of two that brings the first triangle of a patch to a size of about 1.
+double scale_of(std::span<const Vec3> positions, const std::array<uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 size = glm::max(glm::abs(positions[b] - positions[a]), glm::abs(positions[c] - positions[a]));
+  return std::ldexp(1.0, -std::ilogb(std::max({size.x, size.y, size.z})));
+}
+
+// Returns the sign of the signed volume of a closed patch. The terms are bounded by the lengths of their
+// edges, so that a patch without volume, whose sum is only rounding, has the sign 0.
+int sign_of_volume(std::span<const Vec3> positions, const Triangles& triangles,
+                   std::span<const uint32_t> patch) {
+  // Products of three lengths leave the range of doubles beyond 1e102 m and below 1e-90 m.
+  constexpr double kMinPlain = 0x1p-900;  // m^3
+  Volume whole = volume_of(positions, triangles, patch, 1);
+  if (!(whole.bound >= kMinPlain && std::isfinite(whole.bound)))
+    whole = volume_of(positions, triangles, patch, scale_of(positions, triangles[patch[0]]));
   if (whole.sum < -kMinVolume * whole.bound) return -1;
   return whole.sum > kMinVolume * whole.bound ? 1 : 0;
 }

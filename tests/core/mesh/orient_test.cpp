@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mesh/mesh_file.h"
 #include "tests/support/made_meshes.h"
@@ -150,6 +151,13 @@ TEST(Orient, turns_closed_parts_outward_and_keeps_possible_cavities) {
     }
     EXPECT_EQ(built.report.repairs.reoriented_faces, expected);
     EXPECT_EQ(find_fault(built.mesh), "");
+  }
+}
+
+TEST(Orient, turns_closed_parts_of_any_size_outward) {
+  for (const int exponent : {-400, 0, 400}) {
+    const Soup soup = moved(turned(sphere(6, 8, 1)), Vec3(0), std::ldexp(1.0, exponent));
+    EXPECT_EQ(build(soup).report.repairs.reoriented_faces, soup.triangles.size()) << exponent;
   }
 }
 

@@ -39,8 +39,6 @@ SlabQuery::Axis tree_axis(const TreeStore& tree, double reach, const Vec3& axis,
   return a;
 }
 
-Vec3 corner(const TreeStore& tree, Float4 p) { return tree.frame.to_mesh(Vec3(p[0], p[1], p[2])); }
-
 using Side = TouchedWalk::Side;
 using Outcome = TouchedWalk::Outcome;
 
@@ -277,13 +275,16 @@ void sort_from(std::vector<RayHit>& hits, size_t first) {
 
 }  // namespace
 
-// Clamps depths to the tree, so that the far end of a tilting beam does not widen the slab.
+// Clamps depths to the tree, so that the far end of a tilting beam does not widen the slab. Computes with
+// differences from the origin of the frame: coordinates of the mesh may be too coarse for the middle of the
+// tree.
 SlabQuery beam_slab(const TreeStore& tree, const SweptCylinder& beam) {
   assert(tree.root != kNoIndex);
-  const Vec3 low = corner(tree, tree.root_box().low), high = corner(tree, tree.root_box().high);
+  const auto metres = [&](Float4 p) { return Vec3(p[0], p[1], p[2]) / tree.frame.scale; };
+  const Vec3 low = metres(tree.root_box().low), high = metres(tree.root_box().high);
   const SweptCylinder::Slab open =
       beam.slab({std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()});
-  const Vec3 centre = 0.5 * low + 0.5 * high - open.origin, half = 0.5 * (high - low);
+  const Vec3 centre = (tree.frame.origin - open.origin) + (0.5 * low + 0.5 * high), half = 0.5 * (high - low);
   const double depth = glm::dot(open.axis, centre),
                deep = (1 + kBoxSlack) * glm::dot(glm::abs(open.axis), half);
   const SweptCylinder::Slab slab = beam.slab({depth - deep, depth + deep});

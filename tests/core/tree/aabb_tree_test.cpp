@@ -104,6 +104,25 @@ TEST(AabbTree, touched_faces_equal_brute_force_through_random_edits) {
   }
 }
 
+// Far from zero, doubles do not resolve the middle between the two faces.
+TEST(AabbTree, finds_all_faces_of_a_mesh_a_few_roundings_wide) {
+  const double far = 0x1p20, unit = 0x1p-32;  // the distance between doubles there
+  Soup soup = plate(1);
+  soup.positions.clear();
+  for (const double x : {0.0, 3.0}) {
+    for (const Vec2& p : {Vec2(-1.5, -1.5), Vec2(1.5, -1.5), Vec2(0, 1.5)})
+      soup.positions.push_back({far + x * unit, p.x * unit, p.y * unit});
+  }
+  soup.triangles = {{0, 1, 2}, {3, 4, 5}};
+  soup.faces_in_file = soup.triangles_in_file = 2;
+  const Mesh mesh = build(soup).mesh;
+  const AabbTree tree(mesh);
+  const Pose pose{{far - 4 * unit, 0, 0}, {1, 0, 0}};
+  std::vector<FaceId> found;
+  tree.touched(mesh, SweptCylinder(pose, pose, unit, {0, 100 * unit}), found);
+  EXPECT_EQ(found.size(), 2u);
+}
+
 TEST(AabbTree, is_empty_when_the_last_face_is_removed) {
   Mesh mesh = build(plate(1)).mesh;
   AabbTree tree(mesh);

@@ -17,10 +17,10 @@ namespace kerf {
 // the other all cross it an odd number of times. If a surface lies within rounding of all these vertices,
 // either result is possible.
 //
-// The rays are parallel to the shortest side of the mesh's bounding box, and their origins are sorted into
-// the cells of a grid in the plane of the other two. Linear in the number of triangles of closed patches
-// unless many of the origins are on one line. Preconditions: `asked` are patches, corners are finite, and
-// `rays` > 0.
+// The rays are parallel to the shortest side of the bounding box of the listed patches, and their origins are
+// sorted into the cells of a grid in the plane of the other two. Linear in the number of triangles of closed
+// patches unless many of the origins are on one line. Preconditions: `asked` are patches, corners are finite,
+// and `rays` > 0.
 std::vector<uint32_t> count_enclosing(std::span<const Vec3> positions,
                                       const std::vector<std::array<uint32_t, 3>>& triangles,
                                       const Patches& patches, std::span<const uint32_t> asked, uint32_t rays);

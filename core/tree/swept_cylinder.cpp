@@ -187,7 +187,7 @@ double SweptCylinder::least_over_motion(const Seen& seen, Measure measure) const
     const double d = seen.depth - s * shift_;
     return measure(glm::length(offset) - radius_, std::max(d - range_.high, range_.low - d));
   };
-  constexpr int kThirds = 80;  // (2/3)^80 is below the precision of s
+  constexpr int kThirds = 80;  // (2/3)^80 is below 1e-14
   double low = 0, high = 1;
   for (int i = 0; i < kThirds; ++i) {
     const double third = (high - low) / 3;

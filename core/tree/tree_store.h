@@ -55,7 +55,7 @@ inline Float4 max_of_rows(Float4 x, Float4 y, Float4 z) {
 }
 
 // The frame of a tree: its boxes have the coordinates (x - origin) * scale, so that any mesh lies within
-// about [-1, 1] and the precision of floats suffices for culling.
+// [-2, 2] when the tree is built, and the precision of floats suffices for culling.
 struct TreeFrame {
   Vec3 origin{0};
   double scale = 1;  // a power of two

@@ -71,8 +71,9 @@ std::filesystem::path home_folder();
 // checkout from which it was built.
 std::filesystem::path assets_folder();
 
-// Returns the memory available to this process, in bytes: that of the machine, or the smallest limit of its
-// control group and its resource limits. Reads a few small files; call once.
+// Returns the memory available to this process, in bytes: that of the machine, or the smallest of its
+// resource limits and the limit of its container. Limits of other control groups do not count. Reads a few
+// small files; call once.
 uint64_t machine_memory();
 
 }  // namespace kerf

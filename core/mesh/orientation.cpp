@@ -289,11 +289,12 @@ Volume volume_of(std::span<const Vec3> positions, const Triangles& triangles, st
   return whole;
 }
 
-// Returns the power of two that brings the first triangle of a patch to a size of about 1.
+// Returns the power of two that brings a triangle to a size of about 1; 1 if it is a point.
 double scale_of(std::span<const Vec3> positions, const std::array<uint32_t, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   const Vec3 size = glm::max(glm::abs(positions[b] - positions[a]), glm::abs(positions[c] - positions[a]));
-  return std::ldexp(1.0, -std::ilogb(std::max({size.x, size.y, size.z})));
+  const double longest = std::max({size.x, size.y, size.z});
+  return longest > 0 ? std::ldexp(1.0, -std::ilogb(longest)) : 1;
 }
 
 // Returns the sign of the signed volume of a closed patch. The terms are bounded by the lengths of their

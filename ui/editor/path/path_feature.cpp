@@ -329,7 +329,9 @@ class PathFeature : public Feature {
     runs_from_ = workspace_.session.document.history().position();
     std::function<Resolution(double)> resolution;
     if (at_panel_resolution_)
-      resolution = [controls = workspace_.laser.resolution](double radius) { return controls.of(radius); };
+      resolution = [controls = workspace_.laser.resolution](double radius) {
+        return radius > 0 ? controls.of(radius) : Resolution();  // the knife needs none
+      };
     const double diagonal = workspace_.world().bounds().diagonal();
     std::vector<Command> commands = workspace_.laser.model == Model::kThermal
                                         ? workspace_.laser.commands_of(path_.strokes(), diagonal, false)

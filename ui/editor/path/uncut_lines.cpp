@@ -40,6 +40,7 @@ std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const In
   std::vector<UncutLine> all;
   for (size_t i = 0; i < strokes.size(); ++i) {
     const StrokePath& stroke = strokes[i];
+    if (stroke.radius == 0.0) continue;
     const double high = stroke.range.value_or(range).high;
     UncutLine line{i, 0, {}};
     for (size_t k = 0; k + 1 < stroke.keys.size(); ++k) {

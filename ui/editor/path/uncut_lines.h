@@ -20,8 +20,8 @@ struct UncutLine {
 };
 
 // Returns the strokes with segments along which the axis of the beam meets a face for more than kUncutShare
-// of their way. `range`: of the beam [m] for strokes without one of their own. One query of the trees per
-// sample, of which a segment has 33.
+// of their way; those of a knife, of radius 0, leave nothing uncut. `range`: of the beam [m] for strokes
+// without one of their own. One query of the trees per sample, of which a segment has 33.
 std::vector<UncutLine> uncut_lines(std::span<const StrokePath> strokes, const Interval& range,
                                    const World& world);
 

@@ -84,10 +84,11 @@ std::vector<Command> LaserControls::commands_of(std::span<const StrokePath> stro
   std::vector<Command> commands;
   for (const StrokePath& stroke : strokes) {
     LaserControls own = *this;
-    own.radius = stroke.radius.value_or(radius);
+    const bool is_knife = with_knife || stroke.radius == 0.0;
+    if (!is_knife) own.radius = stroke.radius.value_or(radius);
     own.power = stroke.power.value_or(power);
     CutSettings cut = own.settings(diagonal);
-    if (with_knife) cut.laser.radius = 0;
+    if (is_knife) cut.laser.radius = 0;
     cut.laser.range = stroke.range.value_or(cut.laser.range);
     cut.laser.wavelength = stroke.wavelength.value_or(cut.laser.wavelength);
     cut.laser.focus = stroke.focus;

@@ -72,7 +72,7 @@ struct LaserControls {
   // Returns the settings of a cut in a world with this diagonal [m]; the range of the beam is ten diagonals.
   CutSettings settings(double diagonal) const;
   // Returns the commands that cut along strokes with these controls, except for the laser settings that a
-  // stroke has itself; `with_knife`: by a beam of radius 0.
+  // stroke has itself; `with_knife`: by a beam of radius 0, like strokes that have this radius themselves.
   std::vector<Command> commands_of(std::span<const StrokePath> strokes, double diagonal,
                                    bool with_knife) const;
   // Sets the controls to the radius and the resolution of a stroke, within their range.

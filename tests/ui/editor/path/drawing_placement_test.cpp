@@ -259,6 +259,8 @@ TEST(UncutLines, end_where_the_own_range_of_a_stroke_ends) {
   EXPECT_TRUE(uncut_lines(std::span(&stroke, 1), {0, 5}, world).empty());
   stroke.range = Interval{0, 5};
   EXPECT_EQ(uncut_lines(std::span(&stroke, 1), {0, 1.5}, world).size(), 1u);
+  stroke.radius = 0;
+  EXPECT_TRUE(uncut_lines(std::span(&stroke, 1), {0, 5}, world).empty()) << "a knife";
 }
 
 TEST(UncutMarks, last_until_the_next_stroke) {

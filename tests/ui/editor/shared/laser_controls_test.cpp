@@ -70,6 +70,18 @@ TEST(LaserControls, leave_a_stroke_the_laser_settings_of_its_file) {
   EXPECT_EQ(cut.duty, expected.duty);
 }
 
+TEST(LaserControls, leave_a_stroke_of_radius_zero_to_the_knife) {
+  LaserControls laser;
+  laser.model = Model::kThermal;
+  StrokePath stroke;
+  stroke.radius = 0;
+  stroke.keys = {{{0, 1, 0}, {0, -1, 0}}, {{1, 1, 0}, {0, -1, 0}}};
+  stroke.times = {0, 1};
+  const std::vector<Command> commands = laser.commands_of(std::span(&stroke, 1), 5, false);
+  ASSERT_EQ(commands.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<CutPath>(commands.front()));
+}
+
 TEST(LaserControls, show_the_radius_and_the_resolution_of_a_stroke) {
   LaserControls drawn, shown;
   drawn.fit(4);

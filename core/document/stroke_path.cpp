@@ -76,10 +76,20 @@ void key_fields(Fields& f, StrokePath& stroke, size_t k) {
   f.vector("origin", pose.origin);
   Vec3 direction = f.reading() ? pose.direction : readable_direction(pose.direction);
   f.vector("direction", direction, VectorRule::kNotZero);
-  if (!f.reading()) return;
-  pose.direction = beam_direction(direction);
-  f.check(k == 0 || !are_opposite(stroke.keys[k - 1].direction, pose.direction), "direction",
-          "is opposite to the previous one: insert a key between them");
+  if (f.reading()) pose.direction = beam_direction(direction);
+}
+
+// `is_draft`: see read_path_draft().
+void stroke_fields(Fields& f, StrokePath& stroke, bool is_draft) {
+  f.member("laser", kOptional, [&](Fields& laser) { laser_fields(laser, stroke); });
+  f.elements("keys", "keys", kNeeded, stroke.keys, [&](size_t k, Fields& key) {
+    key_fields(key, stroke, k);
+    key.check(is_draft || k == 0 || !are_opposite(stroke.keys[k - 1].direction, stroke.keys[k].direction),
+              "direction", "is opposite to the previous one: insert a key between them");
+  });
+  f.check(!stroke.keys.empty(), "keys", "must contain at least one key");
+  f.check(is_draft || stroke.radius != 0.0 || stroke.keys.size() > 1, "keys",
+          "must contain two keys for a knife of radius 0");
 }
 
 constexpr double kMaxMove = 1e6;  // s, far below the limit of doubles
@@ -109,13 +119,16 @@ bool ascends(const std::vector<double>& times) {
 
 }  // namespace
 
-void describe(Fields& f, StrokePath& stroke) {
-  f.member("laser", kOptional, [&](Fields& laser) { laser_fields(laser, stroke); });
-  f.elements("keys", "keys", kNeeded, stroke.keys,
-             [&](size_t k, Fields& key) { key_fields(key, stroke, k); });
-  f.check(!stroke.keys.empty(), "keys", "must contain at least one key");
-  f.check(stroke.radius != 0.0 || stroke.keys.size() > 1, "keys",
-          "must contain two keys for a knife of radius 0");
+void describe(Fields& f, StrokePath& stroke) { stroke_fields(f, stroke, false); }
+
+Result<std::vector<StrokePath>> read_path_draft(std::string_view text, const std::string& where) {
+  std::vector<StrokePath> strokes;
+  const Status read = read_text_fields(text, where, {}, [&](Fields& f) {
+    f.elements("strokes", "strokes", kNeeded, strokes,
+               [&](size_t i, Fields& stroke) { stroke_fields(stroke, strokes[i], true); });
+  });
+  if (!read) return read.error();
+  return strokes;
 }
 
 std::string path_file_text(std::span<const StrokePath> strokes) {

@@ -46,6 +46,9 @@ void describe(Fields& f, StrokePath& stroke);
 std::string path_file_text(std::span<const StrokePath> strokes);
 // Parses such a text. Fails like read_path_file(); `where` is the name of the text in errors.
 Result<std::vector<StrokePath>> read_path_text(std::string_view text, const std::string& where);
+// Parses the text of a path that is still being edited: its strokes may be those of rejection_reason(), but
+// have a key.
+Result<std::vector<StrokePath>> read_path_draft(std::string_view text, const std::string& where);
 
 // Functions for editing a stroke by hand. Precondition of all: it has one time per key.
 

@@ -265,8 +265,9 @@ void PathWork::set_speed(double speed) {
 
 void PathWork::add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance,
                            double speed) {
+  const bool has_speed = !empty() && now_.speed;
   if (selected_ && now_.strokes[selected_->stroke].keys.size() == 1) remove(*selected_);
-  if (empty()) now_.speed = speed;
+  if (empty() && !has_speed) now_.speed = speed;
   for (const StrokePath& stroke : strokes) {
     now_.strokes.push_back(stroke);
     std::vector<double>& distances = now_.distances.emplace_back();
@@ -319,7 +320,7 @@ PathWork path_of_entry(const nlohmann::json& entry, const World& world) {
   PathWork path;
   if (!entry.is_object()) return path;
   nlohmann::json file{{"strokes", entry.value("strokes", nlohmann::json())}};
-  Result<std::vector<StrokePath>> strokes = read_path_text(file.dump(), "path");
+  Result<std::vector<StrokePath>> strokes = read_path_draft(file.dump(), "path");
   if (!strokes) return path;
   const auto distances = distances_of(entry.value(kDistancesKey, nlohmann::json()), *strokes);
   const auto speed = speed_of(entry.value(kSpeedKey, nlohmann::json()));

@@ -70,7 +70,8 @@ class PathWork {
   void set_radius(size_t stroke, double radius);
   void set_speed(double speed);
   // Adds strokes; they replace the selected point if it is a stroke of its own. Their points aim at the
-  // surfaces of the world, or have this distance [m] if their beams hit nothing.
+  // surfaces of the world, or have this distance [m] if their beams hit nothing. A path of these strokes
+  // alone gets this speed [m/s] unless another one was set.
   void add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance, double speed);
   // Replaces the path by that of a file. Its points aim at the surfaces of the world.
   void load(std::vector<StrokePath> strokes, const World& world);

@@ -35,6 +35,21 @@ TEST(PathEntry, restores_the_path_exactly_with_targets_and_without_undo) {
   EXPECT_FALSE(read.can_undo());
 }
 
+TEST(PathEntry, restores_a_path_that_cannot_be_run_yet) {
+  PathWork path;
+  path.begin_edit();
+  path.add({{0, 1, 0}, {0, -1, 0}}, 0.5, false, 0.01, 2);
+  path.begin_edit();
+  path.add({{0, -1, 0}, {0, 1, 0}}, 0.5, false, 0.01, 2);
+  path.begin_edit();
+  path.add({{0, 1, 1}, {0, -1, 0}}, 0.5, true, 0, 2);
+  ASSERT_TRUE(rejection_reason(path.strokes()).has_value());
+  const PathWork read = path_of_entry(nlohmann::json::parse(path_entry(path).dump()), World());
+  ASSERT_EQ(read.strokes().size(), 2u);
+  EXPECT_EQ(read.pose({0, 1}).direction, Vec3(0, 1, 0));
+  EXPECT_EQ(read.strokes()[1].radius, 0.0);
+}
+
 TEST(PathEntry, is_null_for_an_empty_path_and_reads_as_empty_if_invalid) {
   EXPECT_TRUE(path_entry(PathWork()).is_null());
   EXPECT_TRUE(path_of_entry(nullptr, World()).empty());

@@ -39,6 +39,24 @@ TEST(PathWork, a_moved_point_is_reached_at_the_path_speed) {
   EXPECT_EQ(path.strokes()[1].times, (std::vector<double>{0, 0.5}));
 }
 
+TEST(PathWork, strokes_that_replace_a_single_point_keep_its_speed) {
+  StrokePath hole;
+  hole.keys = {{{0, 1, 0}, kDownwards}, {{1, 1, 0}, kDownwards}};
+  hole.times = {0, 1};
+  PathWork path;
+  path.begin_edit();
+  path.add({{0, 1, 0}, kDownwards}, 1, false, 0.01, 2);
+  path.set_speed(0.5);
+  path.begin_edit();
+  path.add_strokes({hole}, World(), 1, 2);
+  ASSERT_EQ(path.strokes().size(), 1u);
+  EXPECT_EQ(path.speed(), 0.5);
+  EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 2}));
+  path.clear();
+  path.add_strokes({hole}, World(), 1, 4);
+  EXPECT_EQ(path.speed(), 4) << "of an empty path";
+}
+
 TEST(PathWork, an_edit_after_undo_clears_the_redo_history) {
   PathWork path = two_strokes();
   path.undo();

@@ -193,6 +193,7 @@ class DrawingFeature : public Feature {
   const char* no_drawing_reason() const { return drawing_ ? nullptr : kNoDrawing; }
   JobPlane plane() const { return placement_.plane(workspace_.world().bounds()); }
   double world_units() const { return 1 / metres_per_unit(workspace_.view.frame.unit); }
+  double default_speed() const { return kDrawingSpeed * world_units(); }
 
   // Cuts change faces without on_world_changed().
   void invalidate_old_preview() {
@@ -443,7 +444,7 @@ class DrawingFeature : public Feature {
                        "Power for the selected layer; that of the Laser panel until it is typed.", kWatts,
                        kPositive))
       layer.power = power;
-    double speed = layer.speed.value_or(kDrawingSpeed * world_units());
+    double speed = layer.speed.value_or(default_speed());
     if (length_field(fields_, "Speed", speed, label_unit(speed, unit),
                      "Speed of the beam along the selected layer.", "/s", kPositive))
       layer.speed = speed;
@@ -463,7 +464,8 @@ class DrawingFeature : public Feature {
   // Returns the strokes, with curves flattened for the beam and the size.
   Result<std::vector<StrokePath>> strokes() const {
     constexpr double kOfRadius = 50;
-    const double tolerance = workspace_.laser.radius / kOfRadius / placement_.scale;
+    const double radius = smallest_radius(*drawing_, layers_, workspace_.laser.radius);
+    const double tolerance = radius / kOfRadius / placement_.scale;
     auto job = read_job_text(drawing_->text, drawing_->file.filename().string(), *job_kind(drawing_->file),
                              std::max(tolerance, 1e-9));
     if (!job) return job.error();
@@ -473,7 +475,7 @@ class DrawingFeature : public Feature {
     const Bounds bounds = workspace_.world().bounds();
     std::vector<StrokePath> all = drawing_strokes(
         lines, drawing_->middle(), placement_.start(bounds, placement_.scale * drawing_->extent()));
-    set_lasers(layers_, lines, all);
+    set_lasers(with_speed(*drawing_, layers_, default_speed()), lines, all);
     if (first_surface_)
       end_behind_surface(lines, drawing_->middle(), drawing_->extent(), placement_, workspace_.world(), all);
     return all;

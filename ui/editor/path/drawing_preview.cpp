@@ -79,6 +79,25 @@ Result<ImportedDrawing> import_drawing(const std::filesystem::path& file) {
   return drawing;
 }
 
+double smallest_radius(const ImportedDrawing& drawing, const LayerTable& layers, double radius) {
+  std::optional<double> smallest;
+  for (const auto& [name, lines] : drawing.layers) {
+    const auto found = layers.layers.find(name);
+    const LayerSettings settings = found != layers.layers.end() ? found->second : LayerSettings();
+    const double own = settings.radius.value_or(radius);
+    if (!settings.skip) smallest = std::min(own, smallest.value_or(own));
+  }
+  return smallest.value_or(radius);
+}
+
+LayerTable with_speed(const ImportedDrawing& drawing, LayerTable layers, double speed) {
+  for (const auto& [name, lines] : drawing.layers) {
+    LayerSettings& layer = layers.layers[name];
+    layer.speed = layer.speed.value_or(speed);
+  }
+  return layers;
+}
+
 uint32_t layer_colour(const std::string& layer) {
   unsigned rgb = 0;
   if (layer.size() != 7 || std::sscanf(layer.c_str(), "#%6x", &rgb) != 1) return colours::accent();

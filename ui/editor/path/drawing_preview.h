@@ -30,6 +30,11 @@ struct ImportedDrawing {
 // Reads an SVG or DXF file; fails like read_job().
 Result<ImportedDrawing> import_drawing(const std::filesystem::path& file);
 
+// Returns the smallest radius of the layers that are cut; `radius` [m] is that of layers without their own.
+double smallest_radius(const ImportedDrawing& drawing, const LayerTable& layers, double radius);
+// Returns the settings of all layers of a drawing, with this speed [m/s] for those without their own.
+LayerTable with_speed(const ImportedDrawing& drawing, LayerTable layers, double speed);
+
 // Returns the ImU32 of a stroke colour of SVG if it is legible over the viewport, else the accent.
 uint32_t layer_colour(const std::string& layer);
 

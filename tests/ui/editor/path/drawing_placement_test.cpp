@@ -227,6 +227,26 @@ TEST(DrawingPlacement, a_beam_round_a_cylinder_ends_behind_the_first_surface) {
   }
 }
 
+TEST(DrawingLayers, have_the_radius_and_the_speed_of_the_panel_unless_they_have_their_own) {
+  ImportedDrawing drawing;
+  drawing.layers = {{"a", 1}, {"b", 2}, {"c", 1}};
+  LayerTable layers;
+  layers.layers["a"].radius = 0.002;
+  layers.layers["b"].radius = 0.0001;
+  layers.layers["b"].skip = true;
+  layers.layers["c"].speed = 3;
+  EXPECT_EQ(smallest_radius(drawing, layers, 0.01), 0.002);
+  EXPECT_EQ(smallest_radius(drawing, layers, 0.001), 0.001);
+  EXPECT_EQ(smallest_radius(drawing, LayerTable(), 0.01), 0.01);
+  layers.layers["b"].skip = false;
+  EXPECT_EQ(smallest_radius(drawing, layers, 0.01), 0.0001);
+  const LayerTable timed = with_speed(drawing, layers, 20);
+  EXPECT_EQ(timed.layers.at("a").speed, 20.0);
+  EXPECT_EQ(timed.layers.at("b").speed, 20.0);
+  EXPECT_EQ(timed.layers.at("c").speed, 3.0);
+  EXPECT_EQ(timed.layers.at("a").radius, 0.002);
+}
+
 TEST(UncutLines, are_the_parts_where_the_axis_of_the_beam_meets_a_face) {
   const World world = world_with(test::grid(3, 2));  // -1 <= x <= 1
   const auto stroke = [](double from, double middle, double to) {

@@ -291,7 +291,7 @@ std::string fitted_label(const std::string& label, float width) {
 
 bool begin_fitted_combo(const char* id, const std::string& preview) {
   const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
-  return ImGui::BeginCombo(id, fitted_text(preview, room).c_str());
+  return ImGui::BeginCombo(id, whole_label(fitted_text(preview, room)).c_str());
 }
 
 // ImGui draws nothing for a carriage return.

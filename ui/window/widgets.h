@@ -43,7 +43,7 @@ std::string fitted_number(double value, const RealFormat& format, std::string_vi
 std::string fitted_label(const std::string& label, float width);
 std::string visible_part(const std::string& label);
 
-// ImGui::BeginCombo() with the selected value fitted into it.
+// ImGui::BeginCombo() with the selected value fitted into it, shown with any "##" in it.
 bool begin_fitted_combo(const char* id, const std::string& preview);
 
 // Returns a label that shows the whole text: ImGui hides "##" and what follows it. An "##id" may be appended.

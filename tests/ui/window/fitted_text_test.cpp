@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/base/random.h"
+#include "tests/support/gui_context.h"
 #include "tests/support/runs.h"
 
 namespace kerf {
@@ -91,6 +92,21 @@ TEST(WholeLabel, is_as_wide_as_its_text) {
   }
   ImGui::EndFrame();
   ImGui::DestroyContext();
+}
+
+// The number of vertices with which a list shows its selected value.
+int vertices_of_list(const std::string& value) {
+  test::GuiContext gui;
+  for (int i = 0; i < 4; ++i) {
+    gui.frame([&] {
+      if (begin_fitted_combo("##list", value)) ImGui::EndCombo();
+    });
+  }
+  return ImGui::GetDrawData()->TotalVtxCount;
+}
+
+TEST(FittedCombo, shows_a_value_with_two_number_signs_in_full) {
+  EXPECT_EQ(vertices_of_list("bolt##2"), vertices_of_list("bolt--2"));
 }
 
 TEST(FieldText, is_truncated_at_a_whole_character) {

@@ -84,7 +84,7 @@ bool draw_row(size_t now, const Row& row, const std::string& name) {
   const bool undone = position > now;
   if (position == now) ImGui::PushStyleColor(ImGuiCol_Text, colours::accent());
   if (undone) ImGui::PushStyleColor(ImGuiCol_Text, colours::secondary());
-  const std::string label = fitted_label(name, ImGui::GetContentRegionAvail().x);
+  const std::string label = whole_label(fitted_text(name, ImGui::GetContentRegionAvail().x)) + "###step";
   const bool clicked = ImGui::Selectable(label.c_str(), position == now, ImGuiSelectableFlags_SpanAllColumns);
   mark_last_item("history row", static_cast<int>(position));
   const char* meaning = position == now ? "Current state."

@@ -422,9 +422,8 @@ class DrawingFeature : public Feature {
       ImGui::PopStyleColor();
       ImGui::SameLine();
       const std::string label = (name.empty() ? "No layer" : name) + ", " + count_text(count, "line");
-      if (ImGui::Selectable(fitted_label(label, ImGui::GetContentRegionAvail().x).c_str(),
-                            selected_layer_ == i))
-        selected_layer_ = i;
+      const std::string shown = whole_label(fitted_text(label, ImGui::GetContentRegionAvail().x));
+      if (ImGui::Selectable((shown + "###name").c_str(), selected_layer_ == i)) selected_layer_ = i;
       mark_last_item("drawing layer name", static_cast<int>(i));
       ImGui::PopID();
     }

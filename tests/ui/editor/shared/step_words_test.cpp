@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <string_view>
+
 #include "core/document/document.h"
+#include "tests/support/editor_features.h"
+#include "tests/support/gui_context.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
 
@@ -85,6 +90,28 @@ TEST(StepWords, of_a_missed_stroke_report_nothing_cut) {
   document.apply(EndStroke{});
   ASSERT_TRUE(test::run_all(document).ok());
   EXPECT_EQ(step_words(document.history(), 0, FileUnit::kMetre), "Cut 1: nothing, radius 1 mm");
+}
+
+// The number of vertices with which the History panel lists a change of a piece of this name.
+int vertices_of_history(const std::string& piece) {
+  test::EditorFeatures editor;
+  World world;
+  const BodyId body = world.add(make_body(piece, test::build(test::plate(1))));
+  editor.workspace.session.document = Document(std::move(world));
+  EXPECT_TRUE(editor.workspace.session.document.apply(PinPiece{{body, 0}, true}).ok());
+  std::function<void()> draw;
+  for (const auto& feature : editor.features) {
+    for (const PanelPart& part : feature->panel_parts()) {
+      if (std::string_view(part.id) == "history") draw = part.draw;
+    }
+  }
+  test::GuiContext gui;
+  for (int i = 0; i < 4; ++i) gui.frame(draw);
+  return ImGui::GetDrawData()->TotalVtxCount;
+}
+
+TEST(StepWords, are_listed_with_two_number_signs_in_full) {
+  EXPECT_EQ(vertices_of_history("bolt##2"), vertices_of_history("bolt--2"));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -43,6 +42,12 @@ void add_file(std::vector<fs::path>& files, const std::optional<fs::path>& file)
   if (file && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
 }
 
+std::string without_outer_blanks(const std::string& text) {
+  constexpr const char* kBlanks = " \t\r";
+  const size_t begin = text.find_first_not_of(kBlanks);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
 // The names after the keyword at the beginning of a line: one with blanks, or several.
 void add_libraries(std::vector<fs::path>& files, const fs::path& folder, const std::string& names) {
   std::error_code error;
@@ -53,13 +58,18 @@ void add_libraries(std::vector<fs::path>& files, const fs::path& folder, const s
 }
 
 void add_files_of_obj(std::vector<fs::path>& files, const fs::path& mesh) {
-  constexpr std::string_view kKeyword = "mtllib ";
+  constexpr std::string_view kKeyword = "mtllib";
   const fs::path folder = mesh.parent_path();
   std::istringstream lines(beginning_of(mesh));
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(kKeyword)) continue;
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())) != 0) line.pop_back();
-    add_libraries(files, folder, line.substr(kKeyword.size()));
+    line = without_outer_blanks(line);
+    if (!line.starts_with(kKeyword) || line.find_first_of(" \t") != kKeyword.size()) continue;
+    std::string names = without_outer_blanks(line.substr(kKeyword.size()));
+    for (std::string next; names.ends_with('\\') && std::getline(lines, next);) {
+      names.back() = ' ';
+      names += without_outer_blanks(next);
+    }
+    add_libraries(files, folder, names);
   }
   const std::vector<fs::path> libraries = files;
   for (const fs::path& library : libraries) {

@@ -97,6 +97,13 @@ TEST(SideFiles, of_obj_are_its_libraries_and_their_images) {
                                         folder / "paint.png", folder / "gloss.png"}));
 }
 
+TEST(SideFiles, of_obj_are_listed_after_tabs_and_on_the_next_line) {
+  test::TemporaryFolder folder;
+  const fs::path mesh = folder / "car.obj";
+  write_text(mesh, "mtllib\ta.mtl\n  mtllib b.mtl \\\r\n  c.mtl\r\nmtllibs d.mtl\nv 0 0 0\n");
+  EXPECT_EQ(side_files_of(mesh), (Paths{folder / "a.mtl", folder / "b.mtl", folder / "c.mtl"}));
+}
+
 TEST(SideFiles, of_obj_include_images_in_the_folder_of_a_library) {
   test::TemporaryFolder folder;
   const fs::path mesh = folder / "car.obj";

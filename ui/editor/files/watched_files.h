@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/editor/shared/document_session.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 

@@ -61,6 +61,11 @@ void bind(GameAction action, int key, KeyBindings& bindings) {
   own = key;
 }
 
+int menu_place(int pad, const KeyBindings& bindings) {
+  const bool pauses = pad == action_keys(GameAction::kPause).pad;
+  return pauses ? bindings[static_cast<size_t>(GameAction::kPause)] : 0;
+}
+
 std::string key_label(int key) {
   switch (key) {
     case GLFW_KEY_LEFT_SHIFT:

@@ -51,6 +51,10 @@ std::optional<GameAction> action_of_key(int key, const KeyBindings& bindings);
 // action is left without one. No-op for keys that have a fixed function, and for Esc.
 void bind(GameAction action, int key, KeyBindings& bindings);
 
+// The place of the key for which a button of a gamepad stands in menus: the key that pauses for the button
+// that does so, 0 for the others, whose keys are the same for all players.
+int menu_place(int pad, const KeyBindings& bindings);
+
 // The label of a key, given its place, in the current layout of the keyboard: "W", "Space", "Left Shift";
 // "Key 96" for a key without a name.
 std::string key_label(int key);

@@ -178,7 +178,8 @@ void GameScreen::handle_gamepad() {
   }
   for (const auto& [button, key] : kMenuKeys) {
     InputEvent event;
-    event.button = event.place = key;
+    event.button = key;
+    event.place = menu_place(button, settings_.keys);
     if (!is_new(button)) continue;
     if (rebound_)
       rebound_.reset();

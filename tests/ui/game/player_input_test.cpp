@@ -226,6 +226,14 @@ TEST(SteadyAim, lasts_two_seconds_and_refills_in_six) {
   EXPECT_NEAR(refill, SteadyAim::kRefill, 0.05);
 }
 
+TEST(MenuPlace, of_the_button_that_pauses_is_that_of_the_replaced_key) {
+  KeyBindings bindings = default_bindings();
+  bind(GameAction::kPause, GLFW_KEY_O, bindings);
+  EXPECT_EQ(action_of_key(menu_place(GLFW_GAMEPAD_BUTTON_START, bindings), bindings), GameAction::kPause);
+  bind(GameAction::kPause, GLFW_KEY_R, bindings);  // also the key of a button that restarts the match
+  EXPECT_FALSE(action_of_key(menu_place(GLFW_GAMEPAD_BUTTON_X, bindings), bindings).has_value());
+}
+
 TEST(GuideLines, name_the_buttons_of_a_gamepad_instead_of_keys) {
   KeyBindings bindings = default_bindings();
   bind(GameAction::kHandbrake, GLFW_KEY_J, bindings);

@@ -78,18 +78,24 @@ apt_get() {
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" 9>&-
 }
 
-# Configures again if the last run was for another path (a moved checkout), had other options, was done by hand or did
-# not finish, or if clang++ (for the fuzzers) or the libraries of the benchmarks were installed or removed since.
+# Configures again if the last run was for another path (a moved checkout), had other options or did not finish, if
+# settings were changed by hand, or if clang++ (for the fuzzers), the libraries of the benchmarks or the packages of the
+# Python module were installed or removed since.
 configure() {
   local stamp=$folder/.configured wanted
   wanted="$root ${options[*]} $(single_option) $(command -v clang++ || true)"
-  wanted+=" $(ls -d /usr/include/embree3 /usr/include/CGAL 2>/dev/null || true)"
-  [[ -f $folder/build.ninja && -f $stamp && $(<"$stamp") == "$wanted" ]] && return
+  wanted+=" $(ls -d /usr/include/{embree3,CGAL,pybind11} /usr/include/python3*/Python.h 2>/dev/null || true)"
+  [[ -f $folder/build.ninja && -f $stamp && $(<"$stamp") == "$wanted $(settings)" ]] && return
   options+=("$(single_option)")
   say "configuring $folder"
   rm -f "$stamp"
   cmake --fresh -S "$root" -B "$folder" -G Ninja "${options[@]}" || fail "could not configure $folder"
-  printf '%s\n' "$wanted" >"$stamp"
+  printf '%s\n' "$wanted $(settings)" >"$stamp"
+}
+
+# Prints a checksum of the settings in the cache of cmake.
+settings() {
+  grep -E '^[^#/].*:(BOOL|STRING|PATH|FILEPATH|UNINITIALIZED)=' "$folder/CMakeCache.txt" 2>/dev/null | cksum
 }
 
 # Sources are compiled in groups, or one by one with KERF_SINGLE=1. A folder keeps its mode until KERF_SINGLE is set.

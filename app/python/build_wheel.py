@@ -37,8 +37,9 @@ def _built():
     folder = os.environ.get('KERF_BUILD')
     if not folder:
         folder = os.path.join(ROOT, 'build')
-        if not os.path.exists(os.path.join(folder, 'build.ninja')):
-            _run('cmake', '-S', ROOT, '-B', folder, '-G', 'Ninja')
+        # A configured folder is configured again: it lacks the module if a package was missing then.
+        generator = [] if os.path.exists(os.path.join(folder, 'CMakeCache.txt')) else ['-G', 'Ninja']
+        _run('cmake', '-S', ROOT, '-B', folder, *generator)
         _run('cmake', '--build', folder, '--target', 'kerf_python')
     modules = glob.glob(os.path.join(folder, 'python/kerf/_kerf.*.so'))
     suffix = f'cpython-{sys.version_info.major}{sys.version_info.minor}-'

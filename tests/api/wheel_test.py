@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The wheel of `pip install ./app/python`: wheel_test.py BUILD CHECKOUT
 
-The backend packs the module of BUILD. The wheel works by itself, its table of materials included. Where the packages
+The backend packs the module of BUILD, and otherwise configures a build folder that lacks it again. The wheel works by itself, its table of materials included. Where the packages
 of pip and venv are installed, pip installs it into a virtual environment without a network.
 """
 import glob
@@ -41,7 +41,27 @@ def check(python, site, **variables):
     return version
 
 
+def check_configuring(folder):
+    sys.path.insert(0, SOURCE)
+    import build_wheel
+    os.environ.pop('KERF_BUILD', None)
+    commands, build = [], os.path.join(folder, 'build')
+    build_wheel.ROOT, build_wheel._run = folder, lambda *command: commands.append(command)
+    os.makedirs(os.path.join(build, 'python/kerf'))
+    number = f'{sys.version_info.major}{sys.version_info.minor}'
+    open(os.path.join(build, f'python/kerf/_kerf.cpython-{number}-x.so'), 'w').close()
+    for generator in (('-G', 'Ninja'), ()):
+        assert build_wheel._built() == build
+        assert commands == [('cmake', '-S', folder, '-B', build, *generator),
+                            ('cmake', '--build', build, '--target', 'kerf_python')], commands
+        open(os.path.join(build, 'CMakeCache.txt'), 'w').close()
+        open(os.path.join(build, 'build.ninja'), 'w').close()
+        commands.clear()
+
+
 def main():
+    with tempfile.TemporaryDirectory() as folder:
+        check_configuring(folder)
     if not glob.glob(os.path.join(BUILD, 'python/kerf/_kerf.*.so')):
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:

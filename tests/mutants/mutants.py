@@ -2,10 +2,11 @@
 """Breaks one line at a time of sources of the core, in a copy of the last commit, and lists the mutants that no test of
 the core notices: mutants.py --copy FOLDER [--seed N] [--each N] [FOLDER_OF_CORE...]
 
-The copy and its build are made where they are missing. The mutants follow from the seed. Each is tested by the suites
-of its own file, then by those of its folder, then by the quick ones of all others, until one fails or takes three
-times as long as without a mutant. A mutant that compiles to the same objects is passed over. Results are kept in
-FOLDER/mutants.jsonl, and a later run with the same seed and commit goes on from there. Exits with 1 if one survived.
+The copy and its build are made where they are missing; FOLDER is new, empty or that of an earlier run. The mutants
+follow from the seed. Each is tested by the suites of its own file, then by those of its folder, then by the quick ones
+of all others, until one fails or takes three times as long as without a mutant. A mutant that compiles to the same
+objects is passed over. Results are kept in FOLDER/mutants.jsonl, and a later run with the same seed and commit goes on
+from there. Exits with 1 if one survived.
 """
 import argparse
 import datetime
@@ -134,6 +135,9 @@ def run_tests(copy, tests, limit):
 
 def bring_up_to_date(copy):
     os.makedirs(copy, exist_ok=True)
+    if os.listdir(copy) and not os.path.exists(f'{copy}/mutants.jsonl'):
+        sys.exit(f'{copy} has files that are not of an earlier run, and would lose them: name a new folder')
+    open(f'{copy}/mutants.jsonl', 'a').close()
     for name in sorted(set(os.listdir(copy)) - {'build', 'mutants.jsonl'}):
         path = f'{copy}/{name}'
         if os.path.isdir(path):

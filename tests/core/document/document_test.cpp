@@ -324,7 +324,7 @@ TEST(Document, a_redo_without_images_reports_its_changes) {
 }
 
 TEST(Document, a_failed_history_jump_reports_how_far_it_got) {
-  const auto file = std::filesystem::temp_directory_path() / "kerf-journey.obj";
+  const auto file = std::filesystem::path(testing::TempDir()) / "kerf-journey.obj";
   std::filesystem::copy_file(checkout() / "assets/meshes/sphere.obj", file,
                              std::filesystem::copy_options::overwrite_existing);
   Document document(world_of(plate(1)), [](const Progress*) { return Result<World>(world_of(plate(1))); });

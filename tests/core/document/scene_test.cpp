@@ -47,7 +47,7 @@ TEST(Scene, reports_progress_up_to_one_while_files_are_hashed) {
 
 // A scene of the sphere and this member beside it.
 Result<Scene> scene_with(const std::string& name, const std::string& member) {
-  const auto file = std::filesystem::temp_directory_path() / ("kerf-scene-" + name + ".json");
+  const auto file = std::filesystem::path(testing::TempDir()) / ("kerf-scene-" + name + ".json");
   std::ofstream(file) << R"({"bodies": [{"mesh": ")" << checkout().string()
                       << R"(/assets/meshes/sphere.obj"}], )" << member << "}";
   Result<Scene> scene = read_scene(file);

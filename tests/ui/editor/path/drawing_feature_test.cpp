@@ -5,10 +5,10 @@
 #include <imgui.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/editor/shared/viewport.h"
 #include "ui/editor/shell/editor_screen.h"
 
@@ -24,9 +24,9 @@ struct DrawingBench {
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "kerf-drawing-feature.svg";
-    std::ofstream(file) << R"(<svg width="500mm" height="250mm" viewBox="0 0 500 250">)"
-                        << R"(<rect width="400" height="200" x="10" y="10" stroke="red"/></svg>)";
+    const std::filesystem::path file = folder / "drawing.svg";
+    test::write_text(file, R"(<svg width="500mm" height="250mm" viewBox="0 0 500 250">)"
+                           R"(<rect width="400" height="200" x="10" y="10" stroke="red"/></svg>)");
     for (const auto& taker : workspace.links.file_takers) {
       if (taker.accepts(file)) taker.take(file);
     }
@@ -53,6 +53,7 @@ struct DrawingBench {
     }
   }
 
+  test::TemporaryFolder folder;
   test::EditorFeatures editor;
   Workspace& workspace = editor.workspace;
 };

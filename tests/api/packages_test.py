@@ -70,6 +70,15 @@ def check_pkg_config(folder):
     assert said == '2 pieces\n', said
 
 
+def check_prefix_usr(folder):
+    """A build configured for the prefix /usr has kerf.pc in the folder of the architecture, where it stays."""
+    file = os.path.join(folder, 'tree/development/usr/lib/x86_64-linux-gnu/pkgconfig/kerf.pc')
+    os.makedirs(os.path.dirname(file))
+    open(file, 'w').close()
+    run('cmake', f'-DCPACK_TEMPORARY_INSTALL_DIRECTORY={folder}/tree', '-P', os.path.join(CHECKOUT, 'app/finish_package.cmake'))
+    assert os.path.isfile(file)
+
+
 def main():
     if not shutil.which('dpkg-deb'):
         sys.exit(77)
@@ -88,6 +97,7 @@ def main():
             errors = [line for line in said.splitlines() if line.startswith('E:')]
             assert not errors, '\n'.join(errors)
         check_pkg_config(folder)
+        check_prefix_usr(folder)
 
 
 main()

@@ -11,13 +11,13 @@ _kerf_values() {
     --difficulty) echo easy normal hard ;;
     --driver) echo bot still ;;
     --format) echo obj ply stl off glb gltf 3mf ;;
-    --material) kerf materials 2>/dev/null | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' ;;
+    --material) "${COMP_WORDS[0]}" materials 2>/dev/null | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' ;;
     --model) echo geometric thermal ;;
     --outlines) echo svg dxf ;;
     --pattern) echo volume rays4 ;;
     --rim) echo faces smooth ;;
     --scheme) echo longest-edge one-to-four ;;
-    --show) kerf render --help 2>/dev/null | sed -n '/^  --show /s/.*): //p' | tr -d , ;;
+    --show) "${COMP_WORDS[0]}" render --help 2>/dev/null | sed -n '/^  --show /s/.*): //p' | tr -d , ;;
     --subdivide) echo loop sqrt3 midpoint ;;
     --unit) echo mm cm m in ;;
   esac
@@ -33,6 +33,7 @@ _kerf() {
     words=$("${COMP_WORDS[0]}" ${command:+"$command"} --help 2>/dev/null | grep -oE -- '--[a-z][a-z0-9-]*' | sort -u)
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   elif ((COMP_CWORD == 1)); then
+    compopt -o filenames 2>/dev/null  # quotes blanks and continues after folders
     words=$("${COMP_WORDS[0]}" --help 2>/dev/null | sed -n '/^Subcommands:/,$s/^  \([a-z]*\) .*/\1/p')
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")
   fi

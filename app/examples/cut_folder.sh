@@ -5,7 +5,8 @@
 # failed; the next run tries them again. Needs python3.
 set -uo pipefail
 (($# == 3)) || { echo "usage: cut_folder.sh KERF MESHES OUT" >&2; exit 2; }
-kerf=$(realpath "$1") meshes=$(realpath "$2") out=$3
+kerf=$(command -v "$1") || { echo "cut_folder.sh: there is no program $1" >&2; exit 2; }
+kerf=$(realpath "$kerf") meshes=$(realpath "$2") out=$3
 mkdir -p "$out"
 rm -f "$out/failed.txt"
 

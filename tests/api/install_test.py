@@ -82,6 +82,9 @@ def check_batch(prefix, folder):
     out = os.path.join(folder, 'cut')
     command = ['bash', os.path.join(EXAMPLES, 'cut_folder.sh'), os.path.join(prefix, 'bin/kerf'), meshes, out]
     run(*command, errors='replace')
+    found = {**os.environ, 'PATH': os.path.join(prefix, 'bin') + ':' + os.environ['PATH']}
+    run(*command[:2], 'kerf', meshes, os.path.join(folder, 'cut by name'), errors='replace', env=found)
+    assert subprocess.run([*command[:2], 'no/kerf', *command[3:]], capture_output=True, check=False).returncode == 2
     with open(os.path.join(out, 'table.csv'), 'rb') as table:
         assert [line.split(b',')[0] for line in table] == [b'mesh', b'knot.obj', b'sphere.obj', b'teil_\xfc.obj']
     bad = os.path.join(meshes, 'bad.obj')

@@ -19,10 +19,11 @@ KERF = os.path.abspath(sys.argv.pop())
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 EXTRAS = os.path.join(ROOT, 'assets/install')
 SPHERE = os.path.join(ROOT, 'assets/meshes/sphere.obj')
+BALL = shlex.quote(SPHERE)
 # Command lines whose error lists the values of the last option.
 REFUSED = ('cut x --out y --rim', 'cut x --out y --scheme', 'cut x --out y --model', 'cut x --out y --pattern',
-           'cut x --out y --assist', 'cut x --out y --format', 'cut x --out y --outlines', f'prepare {SPHERE} --out x.obj --subdivide',
-           f'render {SPHERE} --out x.png --show', f'cut {SPHERE} --out y --material', 'play --driver',
+           'cut x --out y --assist', 'cut x --out y --format', 'cut x --out y --outlines', f'prepare {BALL} --out x.obj --subdivide',
+           f'render {BALL} --out x.png --show', f'cut {BALL} --out y --material', 'play --driver',
            'play --headless --driver bot --difficulty', 'compare x y --align', 'info x --unit')
 
 
@@ -74,6 +75,22 @@ class Desktop(unittest.TestCase):
         self.assertEqual(said.split(), ['--power-at-s1000'])
         patterns = re.findall(r"--\[a-z\][^']*", text_of('kerf.bash') + text_of('_kerf') + text_of('kerf.fish'))
         self.assertEqual(patterns, 3 * ['--[a-z][a-z0-9-]*'])
+
+    def test_completion_by_bash_asks_the_program_that_is_typed(self):
+        for option, value in (('--material', 'pmma'), ('--show', 'wire')):
+            program = (f'source {shlex.quote(EXTRAS)}/kerf.bash; COMP_WORDS=({shlex.quote(KERF)} cut x {option} {value[:2]}); '
+                       'COMP_CWORD=4; _kerf; printf "%s\\n" "${COMPREPLY[@]}"')
+            environment = {**os.environ, 'PATH': '/usr/bin:/bin'}
+            said = subprocess.run(['bash', '-c', program], env=environment, capture_output=True, text=True, check=True).stdout
+            self.assertIn(value, said.split())
+
+    def test_completed_names_of_files_are_quoted(self):
+        program = (f'source {shlex.quote(EXTRAS)}/kerf.bash; compopt() {{ echo "compopt $*"; }}; COMP_WORDS=(true my); COMP_CWORD=1; '
+                   '_kerf; printf "%s\\n" "${COMPREPLY[@]}"')
+        with tempfile.TemporaryDirectory() as folder:
+            open(os.path.join(folder, 'my mesh.obj'), 'w').close()
+            said = subprocess.run(['bash', '-c', program], capture_output=True, text=True, check=True, cwd=folder).stdout
+        self.assertEqual(said, 'compopt -o filenames\nmy mesh.obj\n')
 
     def test_completions_can_be_parsed(self):
         for shell, check, name in (('bash', '-n', 'kerf.bash'), ('zsh', '-n', '_kerf'), ('fish', '--no-execute', 'kerf.fish')):

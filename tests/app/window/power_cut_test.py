@@ -3,6 +3,7 @@
 ones of those in which a disk may be left (power_cut.py). `power_cut_test.py KERF`."""
 import os
 import random
+import shlex
 import shutil
 import stat
 import subprocess
@@ -72,7 +73,7 @@ class PowerCut(WindowTest):
         """A program that runs Kerf and records its calls."""
         script = os.path.join(folder, "kerf.sh")
         with open(script, "w") as file:
-            file.write(f'#!/bin/sh\nexec {" ".join(traced(log, KERF))} "$@"\n')
+            file.write(f'#!/bin/sh\nexec {shlex.join(traced(log, KERF))} "$@"\n')
         os.chmod(script, stat.S_IRWXU)
         return script
 

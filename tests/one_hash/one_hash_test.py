@@ -12,7 +12,8 @@ MESHES = ("bracket.obj", "knot.obj", "plate.obj")
 def cuts(program, meshes, avx2):
     environment = dict(os.environ)
     if not avx2:
-        environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-AVX2_Usable,-AVX2"
+        environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-AVX2_Usable,-AVX2"  # for the C library
+        environment["KERF_SIMD"] = "sse4"  # programs of clang ask the processor
     files = [os.path.join(meshes, name) for name in MESHES]
     return subprocess.run([program, *files], env=environment, check=True, capture_output=True, text=True).stdout
 

@@ -31,14 +31,15 @@ std::vector<uint32_t> live_labels(const Body& body) {
   return labels;
 }
 
-uint32_t flags_of(const Delta& bodies, BodyId id) {
-  uint32_t flags = 0;
+// Returns the flags of all bodies that changed other than by faces. O(n log n) in the listed bodies.
+std::map<BodyId, uint32_t> flags_of(const Delta& bodies) {
+  std::map<BodyId, uint32_t> flags;
   const std::pair<const std::vector<BodyId>*, uint32_t> lists_and_flags[] = {
       {&bodies.created, KERF_BODY_CREATED},         {&bodies.moved, KERF_BODY_MOVED},
       {&bodies.mass_changed, KERF_BODY_PROPERTIES}, {&bodies.renamed, KERF_BODY_PROPERTIES},
       {&bodies.pinned, KERF_BODY_PROPERTIES},       {&bodies.visibility_changed, KERF_BODY_VISIBILITY}};
   for (const auto& [list, flag] : lists_and_flags) {
-    if (lists(*list, id)) flags |= flag;
+    for (const BodyId id : *list) flags[id] |= flag;
   }
   return flags;
 }
@@ -117,17 +118,17 @@ void ChangeLog::forget() {
   detached_.clear();
 }
 
-ChangeLog::Answer ChangeLog::answer_for(const World& world, BodyId id, bool created, Touched touched) const {
+ChangeLog::Answer ChangeLog::answer_for(const World& world, BodyId id, uint32_t flags, Touched touched) {
   Answer answer;
   answer.changes.body = to_api(id);
-  answer.changes.flags = flags_of(bodies_, id);
+  answer.changes.flags = flags;
   const Body& body = world.body(id);
   const auto piece = [&](FaceId f) { return body.mesh.data(f).piece; };
   const auto add = [&](FaceId f) {
     answer.added.push_back(f.index);
     answer.added_pieces.push_back(piece(f));
   };
-  if (created) {
+  if ((flags & KERF_BODY_CREATED) != 0) {
     for (uint32_t f = 0; f < body.mesh.face_slots(); ++f) {
       if (body.mesh.is_live(FaceId(f))) add(FaceId(f));
     }
@@ -154,8 +155,12 @@ ChangeLog::Answer ChangeLog::answer_for(const World& world, BodyId id, bool crea
 }
 
 void ChangeLog::find_pieces(const Document& document, BodyId id, Answer& answer) {
-  std::vector<uint32_t> now = live_labels(document.world().body(id));
+  const Body& body = document.world().body(id);
+  std::vector<uint32_t> now = live_labels(body);
   std::vector<uint32_t>& before = live_[id];
+  // A body has the name of its only piece, if that has one of its own.
+  if (!body.piece_names.empty() && now != before && (now.size() == 1 || before.size() == 1))
+    answer.changes.flags |= KERF_BODY_PROPERTIES;
   std::vector<uint32_t> created;
   std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(created));
   std::set_difference(before.begin(), before.end(), now.begin(), now.end(),
@@ -191,10 +196,8 @@ kerf_changes ChangeLog::take(const Document& document) {
     forget();
   } else {
     std::map<BodyId, Touched> touched = std::move(touched_);
-    for (const auto* list : {&bodies_.created, &bodies_.moved, &bodies_.mass_changed, &bodies_.renamed,
-                             &bodies_.pinned, &bodies_.visibility_changed}) {
-      for (const BodyId id : *list) touched[id];
-    }
+    const std::map<BodyId, uint32_t> flags = flags_of(bodies_);
+    for (const auto& [id, own] : flags) touched[id];
     std::vector<Answer> answers;
     for (const BodyId id : bodies_.destroyed) {
       kerf_body_changes& destroyed = answers.emplace_back().changes;
@@ -203,9 +206,10 @@ kerf_changes ChangeLog::take(const Document& document) {
     }
     for (auto& [id, own] : touched) {
       if (!world.contains(id)) continue;
-      const bool created = lists(bodies_.created, id);
-      if (created) live_.erase(id);
-      answers.push_back(answer_for(world, id, created, std::move(own)));
+      const auto flagged = flags.find(id);
+      const uint32_t own_flags = flagged == flags.end() ? 0 : flagged->second;
+      if ((own_flags & KERF_BODY_CREATED) != 0) live_.erase(id);
+      answers.push_back(answer_for(world, id, own_flags, std::move(own)));
       find_pieces(document, id, answers.back());
     }
     const std::vector<Detached> detached = std::move(bodies_.detached);

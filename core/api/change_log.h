@@ -45,7 +45,7 @@ class ChangeLog {
   void follow_bodies(const Delta& delta);
   void forget();
   void find_pieces(const Document& document, BodyId id, Answer& answer);
-  Answer answer_for(const World& world, BodyId id, bool created, Touched touched) const;
+  static Answer answer_for(const World& world, BodyId id, uint32_t flags, Touched touched);
 
   bool everything_ = true;
   bool tracks_ = false;  // true from the first take on

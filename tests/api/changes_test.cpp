@@ -258,6 +258,33 @@ TEST(Changes, a_removed_piece_is_not_listed_as_detached) {
   }
 }
 
+TEST(Changes, a_body_that_takes_the_name_of_its_only_piece_is_listed) {
+  World world;
+  const BodyId body = world.add(sheet(20), "plate");
+  Stroke stroke = through_the_middle();
+  for (Keyframe& key : stroke.keys) key.origin[0] = 0.3;
+  world.cut(stroke);
+  std::map<uint32_t, size_t> sizes;
+  for (const uint32_t label : world.piece_labels(body, world.faces(body))) ++sizes[label];
+  ASSERT_EQ(sizes.size(), 2u);
+  const bool is_first_larger = sizes.begin()->second > sizes.rbegin()->second;
+  const uint32_t larger = is_first_larger ? sizes.begin()->first : sizes.rbegin()->first,
+                 smaller = is_first_larger ? sizes.rbegin()->first : sizes.begin()->first;
+  world.rename(body, larger, "lid");
+  (void)world.take_changes();
+  const auto expect_renamed = [&](const char* name) {
+    EXPECT_EQ(world.name(body), name);
+    const Changes changes = world.take_changes();
+    ASSERT_EQ(changes.body_count, 1u);
+    EXPECT_EQ(changes.bodies->body, body);
+    EXPECT_TRUE(changes.bodies->flags & KERF_BODY_PROPERTIES);
+  };
+  world.remove(body, smaller);
+  expect_renamed("lid");
+  EXPECT_TRUE(world.undo());
+  expect_renamed("plate");
+}
+
 TEST(Changes, a_detached_piece_is_listed_if_a_part_of_it_was_removed) {
   for (const bool removes_larger : {false, true}) {
     SCOPED_TRACE(removes_larger);

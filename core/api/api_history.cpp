@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "core/api/api_internal.h"
@@ -17,17 +19,45 @@ void kerf_world::record_loaded(const kerf::Body& body, const kerf::Placement& pl
 void kerf_world::keep() {
   kept.resize(document.history().size() + 1);
   std::vector<double> durations = std::exchange(job.step_s, {});
+  std::vector<size_t> missed = std::exchange(job.missed, {});
+  std::vector<kerf::ScrapCut> scrap = std::exchange(job.scrap, {});
   job.freed_by.share();
   kept[document.history().position()] = Kept{job, settings, bounds, time_left};
   job.step_s = std::move(durations);
+  job.missed = std::move(missed);
+  job.scrap = std::move(scrap);
 }
+
+namespace {
+
+// Moves entries of strokes from number `now` on from a list to `undone`, and back the others of `undone`.
+// `before`: the number of strokes before; later strokes replaced those of `undone` below it.
+template <typename Entry, typename Stroke>
+void move_undone(std::vector<Entry>& list, std::vector<Entry>& undone, size_t before, size_t now,
+                 Stroke stroke_of) {
+  std::erase_if(undone, [&](const Entry& entry) { return stroke_of(entry) < before; });
+  list.insert(list.end(), undone.begin(), undone.end());
+  const auto first = std::ranges::lower_bound(list, now, {}, stroke_of);
+  undone.assign(first, list.end());
+  list.erase(first, list.end());
+}
+
+}  // namespace
 
 void kerf_world::restore() {
   const size_t position = document.history().position();
   if (position >= kept.size() || !kept[position]) return;
   std::vector<double> durations = std::move(job.step_s);
+  std::vector<size_t> missed = std::move(job.missed);
+  std::vector<kerf::ScrapCut> scrap = std::move(job.scrap);
+  const size_t before = job.strokes;
   job = kept[position]->job;
+  move_undone(missed, undone_missed, before, job.strokes, std::identity());
+  move_undone(scrap, undone_scrap, before, job.strokes,
+              [](const kerf::ScrapCut& cut) { return cut.at.stroke; });
   job.step_s = std::move(durations);
+  job.missed = std::move(missed);
+  job.scrap = std::move(scrap);
   settings = kept[position]->settings;
   bounds = kept[position]->bounds;
   time_left = kept[position]->time_left;

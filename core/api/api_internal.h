@@ -198,7 +198,7 @@ struct kerf_world {
 
   // What follows from the steps of the history besides the document.
   struct Kept {
-    kerf::CutJob job;  // without durations
+    kerf::CutJob job;  // without durations, missed strokes and cuts of scrap
     nlohmann::ordered_json settings;
     std::optional<kerf::World::Bounds> bounds;
     double time_left;
@@ -212,6 +212,8 @@ struct kerf_world {
   kerf::AddedBodies added;
   double time_left = 0;                       // of a tick, not simulated yet [s]
   kerf::CutJob job;                           // cuts of the library, for the report
+  std::vector<size_t> undone_missed;          // those of undone strokes
+  std::vector<kerf::ScrapCut> undone_scrap;   // likewise
   nlohmann::ordered_json settings = nullptr;  // of the first cut
   std::vector<std::optional<Kept>> kept;      // by position of the history
   // Bounds of all meshes as they were added, independent of cuts; the defaults of strokes follow from them.

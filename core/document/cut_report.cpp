@@ -208,10 +208,10 @@ void CutJob::record_parts(const BodyDelta& body, const World& world) {
   for (const CutFace& cut : body.removed) {
     const std::optional<size_t> freed = freed_by.find({body.body, cut.piece});
     if (!freed || *freed == strokes) continue;
-    const auto same = [&](const ScrapCut& s) {
-      return s.at.stroke == strokes && s.body == body.body && s.piece == cut.piece;
-    };
-    auto found = std::ranges::find_if(scrap, same);
+    const auto same = [&](const ScrapCut& s) { return s.body == body.body && s.piece == cut.piece; };
+    const auto of_stroke =
+        std::ranges::lower_bound(scrap, strokes, {}, [](const ScrapCut& s) { return s.at.stroke; });
+    auto found = std::find_if(of_stroke, scrap.end(), same);
     if (found == scrap.end()) {
       found = scrap.insert(scrap.end(), {segment, *freed, body.body, cut.piece});
       found->at.stroke = strokes;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,53 @@ TEST(History, undo_restores_the_totals_of_the_report) {
   EXPECT_NE(in_report(opened, "removed"), as_opened);
   EXPECT_TRUE(opened.undo() && opened.undo());
   EXPECT_EQ(in_report(opened, "removed"), as_opened);
+}
+
+TEST(History, undo_and_redo_restore_the_strokes_that_hit_nothing) {
+  World world;
+  world.add(sheet(10));
+  const auto missed = [&] {
+    const std::string report = world.report();
+    const size_t at = report.find("\"missed\"");
+    return report.substr(at, report.find(']', at) - at);
+  };
+  const std::string none = missed();
+  world.cut(across(5));
+  const std::string first = missed();
+  EXPECT_NE(first, none);
+  world.cut(across(0.3));
+  world.cut(across(5));
+  const std::string first_and_third = missed();
+  EXPECT_NE(first_and_third, first);
+  EXPECT_TRUE(world.undo());
+  EXPECT_EQ(missed(), first);
+  EXPECT_TRUE(world.undo() && world.undo());
+  EXPECT_EQ(missed(), none);
+  EXPECT_TRUE(world.redo() && world.redo() && world.redo());
+  EXPECT_EQ(missed(), first_and_third);
+  EXPECT_TRUE(world.undo());
+  world.cut(across(0.7));  // instead of the third
+  EXPECT_EQ(missed(), first);
+  EXPECT_TRUE(world.undo() && world.redo());
+  EXPECT_EQ(missed(), first);
+}
+
+TEST(History, strokes_that_hit_nothing_need_memory_in_proportion_to_their_number) {
+  const auto used = [] {
+    const auto info = ::mallinfo2();
+    return info.uordblks + info.hblkhd;
+  };
+  const auto bytes = [&](int strokes) {
+    World world;
+    world.add(sheet(1));
+    Stroke beside = across(5);
+    beside.radius = 1;
+    const size_t before = used();
+    for (int i = 0; i < strokes; ++i) world.cut(beside);
+    return used() - before;
+  };
+  const size_t half = bytes(2000), whole = bytes(4000);
+  EXPECT_LE(2 * whole, 5 * half);
 }
 
 TEST(History, undo_restores_the_size_from_which_defaults_follow) {

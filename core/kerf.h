@@ -97,7 +97,7 @@ class Run {
 class Mesh {
  public:
   // Reads a mesh file.
-  // path: an OBJ, PLY, STL, OFF, glTF or 3MF file; the content decides the format.
+  // path: an OBJ, PLY, STL, OFF, glTF, 3MF or Kerf (.kmesh) file; the content decides the format.
   // Throws InvalidArgument if the file cannot be opened or parsed, or has no usable face. O(file size).
   static Mesh read(const std::string& path, const CallOptions& options = {}) {
     kerf_mesh* mesh = nullptr;
@@ -565,7 +565,7 @@ class World {
   // Finds the first surface that each ray crosses.
   // origins, directions: three numbers per ray; finite, directions of any non-zero length.
   // range: minimum and maximum distance (m).
-  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. About 0.4 us a ray.
+  // Returns one entry per ray. Throws InvalidArgument if an argument violates the above. O(bodies) per ray.
   Hits nearest_hits(std::span<const double> origins, std::span<const double> directions,
                     std::array<double, 2> range = {0, std::numeric_limits<double>::max()},
                     const CallOptions& options = {}) const {

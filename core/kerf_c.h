@@ -48,8 +48,8 @@ typedef uint64_t kerf_body;
 #define KERF_NO_PIECE UINT32_MAX
 
 /* Index of a face in its body. After a split, the index refers to one of the parts. The index of a removed
- * face is reused only after an undo. If a piece is detached, the faces of the smaller side get new indices
- * (see kerf_detached). */
+ * face is reused only after an undo, or after a cut or stroke that failed or was cancelled. If a piece is
+ * detached, the faces of the smaller side get new indices (see kerf_detached). */
 #define KERF_NO_FACE UINT32_MAX
 
 /* Creates an empty world. O(1). */
@@ -311,13 +311,14 @@ KERF_API kerf_result kerf_world_cut_plane(kerf_world* world, const double normal
 /* Begins a stroke. Executes nothing yet.
  * stroke: its keys are the known part of the path, at least one.
  * settings: may be null; its material must be null.
- * Errors: those of kerf_world_cut; KERF_BUSY if another stroke is not finished. O(keys). */
+ * Errors: those of kerf_world_cut; KERF_BUSY if another stroke is not finished. O(keys * bodies), and
+ * O(faces) for the first cut of a world. */
 KERF_API kerf_result kerf_stroke_begin(kerf_world* world, const kerf_stroke* stroke,
                                        const kerf_cut_settings* settings);
 
 /* Appends a pose to the path of the stroke. Executes nothing yet.
  * key: as in kerf_stroke; its time counts from the same zero as those before it.
- * Errors: KERF_INVALID_ARGUMENT for an invalid key, or if there is no stroke or it was ended. O(1). */
+ * Errors: KERF_INVALID_ARGUMENT for an invalid key, or if there is no stroke or it was ended. O(bodies). */
 KERF_API kerf_result kerf_stroke_add_pose(kerf_world* world, const kerf_keyframe* key);
 
 /* Ends the path of the stroke: switches the beam off. The rest of the work, with the rim and the walls of
@@ -352,7 +353,7 @@ KERF_API kerf_result kerf_stroke_step(kerf_world* world, size_t max_faces, doubl
                                       kerf_stroke_progress* progress);
 
 /* Cancels the stroke: restores the world as it was before kerf_stroke_begin, to the bit. Walls that a step
- * left incomplete are finished first.
+ * left incomplete are finished first. Steps that were undone before the stroke can no longer be redone.
  * Errors: KERF_INVALID_ARGUMENT if there is no stroke. Cost: proportional to what the stroke changed. */
 KERF_API kerf_result kerf_stroke_cancel(kerf_world* world);
 
@@ -500,7 +501,8 @@ typedef struct kerf_hits {
  * origins, directions: n vectors each; finite, directions of any non-zero length.
  * range: minimum and maximum distance (m); null: 0 to infinity.
  * out: its size is set; receives n entries.
- * Errors: KERF_INVALID_ARGUMENT for a vector or range that violates the above. About 0.4 us per ray. */
+ * Errors: KERF_INVALID_ARGUMENT for a vector or range that violates the above. About 0.4 us per ray that
+ * meets one body; O(bodies). */
 KERF_API kerf_result kerf_world_nearest_hits(const kerf_world* world, const double* origins,
                                              const double* directions, size_t n, const double range[2],
                                              const kerf_call_options* options, kerf_hits* out);

@@ -286,7 +286,7 @@ void add_mesh(py::module_& m) {
         return on_file(file, file, [&] { return kerf::Mesh::read(file, options); });
       },
       py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
-      "Reads an OBJ, PLY, STL, OFF, glTF or 3MF file and returns a Mesh.\n\n"
+      "Reads an OBJ, PLY, STL, OFF, glTF, 3MF or Kerf (.kmesh) file and returns a Mesh.\n\n"
       "progress: as in World.cut.\n\n"
       "Raises FileNotFoundError for a missing file, ValueError for one that cannot be parsed or has no "
       "usable face, and Cancelled.");

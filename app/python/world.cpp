@@ -170,8 +170,8 @@ void add_cuts(WorldClass& world) {
           "there is no stroke or it was ended.")
       .def(
           "cancel_stroke", [](World& in) { unlocked([&] { in.cancel_stroke(); }); },
-          "Cancels the stroke: restores the world before it, to the bit. Raises ValueError if there is "
-          "none.");
+          "Cancels the stroke: restores the world before it, to the bit. Steps that were undone before it "
+          "can no longer be redone. Raises ValueError if there is none.");
 }
 
 void add_files(WorldClass& world) {

@@ -43,7 +43,7 @@ def show(world: World | Mesh | _Faces | _Triangles, *options: object) -> None:
     """Opens the editor on a copy of a world or of a mesh, and returns when its window is closed."""
 
 def read(path: _Path, *, progress: _Progress | None = None) -> Mesh:
-    """Reads an OBJ, PLY, STL, OFF, glTF or 3MF file and returns a Mesh."""
+    """Reads an OBJ, PLY, STL, OFF, glTF, 3MF or Kerf (.kmesh) file and returns a Mesh."""
 
 class Mesh:
     """A triangle mesh, or a piece of one; immutable."""

@@ -537,7 +537,8 @@ KERF_API void kerf_hits_free(kerf_hits* hits);
 
 /* Writes the visible bodies with their poses as a scene that the editor opens: scene.json and one OBJ file
  * per body, or a Kerf mesh (.kmesh) if it has attributes or described materials, which are kept with their
- * images. Does not write temperatures, joints, motion and whether bodies are fixed.
+ * images. Does not write temperatures, joints, motion, the environment, whether bodies are fixed, and the
+ * names of pieces that share a body.
  * folder: created if missing; files of these names in it are replaced.
  * Errors: KERF_INVALID_ARGUMENT if no face is visible, KERF_FAILED if a file cannot be written.
  * O(n log n). */

@@ -185,7 +185,8 @@ void add_files(WorldClass& world) {
           py::arg("folder"),
           "Writes the visible bodies and a scene.json that the editor opens: OBJ files, or Kerf meshes "
           "(.kmesh) for bodies with attributes or described materials. Does not write temperatures, joints, "
-          "motion and whether bodies are fixed. The folder is created if missing.\n\n"
+          "motion, the environment, whether bodies are fixed, and the names of pieces that share a body. The "
+          "folder is created if missing.\n\n"
           "Raises ValueError if no face is visible, and Error if a file cannot be written.")
       .def(
           "save_journal",

@@ -239,13 +239,17 @@ Status cut_strokes(std::span<const StrokePath> strokes, kerf_world& world, const
 
 Status open_world(const char* path, kerf_world& to, const Progress& progress) {
   ProgressShares shares(&progress);
-  const Progress opening = shares.next(0.5), replaying = shares.next(0.5);
+  const Progress opening = shares.next(0.45), hashing = shares.next(0.05), replaying = shares.next(0.5);
   auto file = open_file(path, &opening);
   if (!file) return file.error();
   const Journal& journal = file->journal;
   if (!journal.damage.empty() && !journal.torn) return bad_input(journal.damage);
   to.scene = file->scene;
   to.scene.strokes.clear();  // which are commands of the document
+  // For journals to be saved: the files may change before. Saving reports what is no regular file.
+  if (const Status recorded = record_hashes(to.scene, &hashing);
+      !recorded && recorded.error().code != ErrorCode::kBadInput)
+    return recorded;
   Document& document = to.document;
   const size_t window = document.history().window();
   document = document_of(std::move(file->scene.world), file->scene);

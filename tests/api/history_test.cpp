@@ -284,6 +284,19 @@ TEST(History, saving_an_opened_world_again_keeps_the_meshes_of_its_journal) {
   }
 }
 
+TEST(History, a_journal_does_not_open_with_another_mesh_than_its_world) {
+  const std::string mesh = testing::TempDir() + "kerf-replaced.obj",
+                    file = testing::TempDir() + "kerf-replaced.kerf";
+  sheet(10).write(mesh);
+  World world(mesh);
+  world.cut(through_the_middle());
+  world.pieces()[0].write(mesh);
+  world.save_journal(file);
+  EXPECT_THROW(World{file}, InvalidArgument);
+  sheet(10).write(mesh);
+  EXPECT_EQ(World(file).hash(), world.hash());
+}
+
 TEST(History, an_environment_set_before_the_first_mesh_is_kept_in_a_journal) {
   World world;
   world.set_environment({0, -1.62, 0}, 0.0);

@@ -539,7 +539,8 @@ KERF_API void kerf_hits_free(kerf_hits* hits);
  * per body, or a Kerf mesh (.kmesh) if it has attributes or described materials, which are kept with their
  * images. Does not write temperatures, joints, motion, the environment, whether bodies are fixed, and the
  * names of pieces that share a body.
- * folder: created if missing; files of these names in it are replaced.
+ * folder: created if missing; files of these names in it are replaced. The previous scene is kept as
+ *   scene.json~.
  * Errors: KERF_INVALID_ARGUMENT if no face is visible, KERF_FAILED if a file cannot be written.
  * O(n log n). */
 KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* folder);
@@ -547,7 +548,7 @@ KERF_API kerf_result kerf_world_save_scene(const kerf_world* world, const char* 
 /* Writes the journal of the world, which the editor opens and `kerf replay` verifies: all commands that are
  * not undone, and next to it a mesh file per body added by kerf_world_add, NAME-mesh-0001.obj and so on, or
  * .kmesh if it has attributes or described materials.
- * path: a .kerf file.
+ * path: a .kerf file. The previous one is kept with a ~ after its name.
  * Errors: KERF_INVALID_ARGUMENT if the world has no mesh or was simulated before it had one, or if path names
  * a folder, device or pipe; KERF_FAILED if a file cannot be written. O(n log n). */
 KERF_API kerf_result kerf_world_save_journal(const kerf_world* world, const char* path);

@@ -153,7 +153,16 @@ bool LockedFile::flush() {
   return h.flushing;
 }
 
-void LockedFile::remove() { ::unlink(path_.c_str()); }
+bool LockedFile::is_removed() const {
+  KERF_ASSERT(handle_);
+  struct stat there {};
+  return ::fstat(handle_->descriptor, &there) == 0 && there.st_nlink == 0;
+}
+
+// A file that was removed by another program may have a successor of the same name.
+void LockedFile::remove() {
+  if (!is_removed()) ::unlink(path_.c_str());
+}
 
 void Autosave::begin(SceneDescription scene, fs::path work_of, std::vector<fs::path> opened) {
   if (file_) replaced_ = std::move(*file_);
@@ -173,13 +182,17 @@ void Autosave::drop() {
 }
 
 bool Autosave::is_behind(const Document& document, std::span<const StateMark> marks) const {
-  return !file_ || document.final_commands() != commands_ || marks.size() != marks_;
+  return !file_ || document.final_commands() != commands_ || marks.size() != marks_ || file_->is_removed();
 }
 
 Status Autosave::follow(const Document& document, std::span<const StateMark> marks) {
   if (!is_behind(document, marks)) {
     flush();
     return Done{};
+  }
+  if (file_ && file_->is_removed()) {
+    file_.reset();
+    commands_ = marks_ = 0;
   }
   const std::span<const Command> commands = std::span(document.journal()).first(document.final_commands());
   KERF_ASSERT(commands.size() >= commands_ && marks.size() >= marks_);

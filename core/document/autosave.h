@@ -34,6 +34,9 @@ class LockedFile {
   // call flush() again in that case.
   bool flush();
 
+  // Returns true if another program has removed the file. O(1).
+  bool is_removed() const;
+  // Removes the file, if it still exists.
   void remove();
 
  private:
@@ -56,8 +59,9 @@ class Autosave {
              std::vector<std::filesystem::path> opened = {});
 
   // Appends the final commands (see Document::final_commands) and marks since the last call; the first call
-  // writes all of them to a new file. AdvanceTime commands lag by less than a second. On failure, everything
-  // written before is kept, and the next call retries. The cost is proportional to the number of new
+  // writes all of them to a new file, as does the next one after another program removed the file.
+  // AdvanceTime commands lag by less than a second. On failure, everything written before is kept, and the
+  // next call retries. The cost is proportional to the number of new
   // commands. Data reach the disk asynchronously, so call follow() or flush() again within about a second.
   // Precondition: `document` and `marks` continue those of the last call.
   Status follow(const Document& document, std::span<const StateMark> marks);

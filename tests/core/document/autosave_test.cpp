@@ -92,6 +92,28 @@ TEST_F(AutosaveFolder, keeps_the_old_file_until_the_new_one_is_written) {
   EXPECT_EQ(files(), 0);
 }
 
+TEST_F(AutosaveFolder, is_written_again_after_another_program_removed_it) {
+  Document document;
+  document.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});
+  {
+    Autosave autosave(state());
+    autosave.begin(scene_, {});
+    ASSERT_TRUE(autosave.follow(document, {}).ok());
+    EXPECT_FALSE(autosave.is_behind(document, {}));
+    std::filesystem::remove_all(state());
+    EXPECT_TRUE(autosave.is_behind(document, {}));
+    ASSERT_TRUE(autosave.follow(document, {}).ok());
+    EXPECT_FALSE(std::filesystem::is_empty(state()));
+    std::filesystem::remove_all(state());
+    autosave.begin(scene_, folder_ / "mine.kerf");
+    ASSERT_TRUE(autosave.follow(document, {}).ok());
+  }
+  const auto found = left();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().journal.commands.size(), 1u);
+  EXPECT_EQ(found.front().journal.work_of, std::filesystem::weakly_canonical(folder_ / "mine.kerf"));
+}
+
 TEST_F(AutosaveFolder, gives_two_editors_of_one_process_different_files) {
   Document one, two;
   one.apply(BeginStroke{{}, {{0, 1, 0}, {0, -1, 0}}});

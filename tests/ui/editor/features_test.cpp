@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/extract.h"
 #include "tests/support/checkout.h"
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
@@ -177,6 +178,35 @@ TEST_F(Actions, paste_needs_a_copied_piece_that_exists) {
   const UserAction& paste = *find_action(actions, "pieces.paste");
   EXPECT_EQ(paste.objection(), nullptr);
   workspace.session.document.apply(DeletePiece{left});
+  EXPECT_NE(paste.objection(), nullptr);
+}
+
+TEST_F(Actions, paste_adds_no_other_piece_that_has_the_label_of_an_undone_one) {
+  World world;
+  world.add(make_body("plate", test::build(test::grid(16, 1))));
+  Document& document = workspace.session.document = Document(std::move(world));
+  const auto cut = [&](double x) {
+    CutSettings settings;
+    settings.laser.radius = 0.01;
+    settings.laser.range = {0, 5};
+    settings.resolution.target_edge = 0.005;
+    document.apply(BeginStroke{settings, {{x, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{x, 1, 0.7}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+    while (document.waiting() > 0) ASSERT_TRUE(document.step(64).ok());
+  };
+  const PieceId piece{workspace.world().ids().front(), 1};
+  const UserAction& paste = *find_action(actions, "pieces.paste");
+  cut(-0.3);
+  ASSERT_TRUE(has_faces(workspace.world(), piece));
+  select_piece(workspace.view.look.pieces, piece, false);
+  find_action(actions, "pieces.copy")->run();
+  EXPECT_EQ(paste.objection(), nullptr);
+  const Outcome undone = document.apply(Undo{});
+  for (const auto& feature : editor.features) feature->on_world_changed(undone.delta);
+  EXPECT_NE(paste.objection(), nullptr);
+  cut(0.3);
+  ASSERT_TRUE(has_faces(workspace.world(), piece));
   EXPECT_NE(paste.objection(), nullptr);
 }
 

@@ -250,7 +250,7 @@ class PiecesFeature : public Feature {
   void on_world_changed(const Delta& delta) override {
     isolation_.follow();
     measures_.on_world_changed();
-    for (PieceId& piece : copied_) piece = named_after(delta, piece);
+    follow_world(workspace_.world(), delta, copied_);
   }
   void on_document_opened() override {
     workspace_.view.look.pieces.clear();
@@ -503,11 +503,11 @@ class PiecesFeature : public Feature {
   // Pastes the copied pieces from index `next` on. Returns false if some are left because a change became
   // pending. `newest`: the newest body before the last copy.
   bool paste(size_t& next, std::optional<BodyId>& newest) {
+    if (next == 0) follow_world(workspace_.world(), Delta{}, copied_);
     while (!workspace_.changes.is_pending()) {
       select_copy(std::exchange(newest, std::nullopt));
       if (next >= copied_.size()) return true;
       const PieceId piece = copied_[next++];
-      if (!has_faces(workspace_.world(), piece)) continue;
       newest = workspace_.world().ids().back();
       workspace_.changes.apply(DuplicatePiece{piece, workspace_.world().body(piece.body).placement});
     }

@@ -190,6 +190,11 @@ PieceId named_after(const Delta& delta, PieceId id) {
   return id;
 }
 
+void follow_world(const World& world, const Delta& delta, std::vector<PieceId>& pieces) {
+  for (PieceId& piece : pieces) piece = named_after(delta, piece);
+  std::erase_if(pieces, [&](const PieceId& piece) { return !has_faces(world, piece); });
+}
+
 void follow_world(const World& world, const Delta& delta, PieceMap& looks) {
   PieceMap now;
   for (const auto& [before, look] : looks) {

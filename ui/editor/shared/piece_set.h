@@ -71,6 +71,10 @@ std::vector<PieceId> other_pieces(const World& world, const PieceMap& looks);
 // Returns the id of a piece after a step that detached or reattached pieces.
 PieceId named_after(const Delta& delta, PieceId id);
 
+// Updates the ids of pieces after a change of the world, and removes pieces without faces: after an undo, the
+// next piece that is cut off gets the label of one of them.
+void follow_world(const World& world, const Delta& delta, std::vector<PieceId>& pieces);
+
 // Updates the looks after a change of the world: pieces of hidden bodies are hidden and deselected, all
 // others shown, and pieces without faces are dropped. The look of a piece that was detached or reattached
 // moves to its new body.

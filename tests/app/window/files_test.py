@@ -265,6 +265,29 @@ class Files(WindowTest):
         self.assertNotIn("browser", editor.landmarks()["parts"])
         editor.quit()
 
+    def test_saving_over_a_journal_that_another_program_has_changed_names_the_kept_version(self):
+        editor = self.open(SPHERE)
+        self.save_as(editor, "ball")
+        editor.wait_for_title("ball.kerf - Kerf")
+        editor.pause(3)
+        journal = os.path.join(self.folder, "ball.kerf")
+        messages = []
+        for path in ACROSS, ACROSS_ABOVE:
+            editor.drag(path)
+            editor.wait_for_title("ball.kerf* - Kerf")
+            if not messages:
+                with open(journal, "a") as file:
+                    file.write("\n")
+            editor.press("ctrl", "s")
+            editor.wait_for_title("ball.kerf - Kerf")
+            messages.append(editor.ask("report")["message"])
+            if len(messages) == 1:
+                with open(journal + "~") as kept:
+                    self.assertTrue(kept.read().endswith("\n\n"))
+        self.assertIn("the version of another program is now ball.kerf~", messages[0])
+        self.assertNotIn("another program", messages[1])
+        editor.quit()
+
     def test_a_changed_material_library_is_offered_for_reloading(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

@@ -136,7 +136,7 @@ std::string words_on_skip(Ticks skipped) {
 // bar shows it as that of the open file.
 void report_opened(Message& message, const LoadedFiles& loaded) {
   const std::string opened = loaded.order.left
-                                 ? "Recovered unsaved work"
+                                 ? words_on_recovery(loaded)
                                  : loaded.order.name() + (loaded.notes.empty() ? "" : ": " + loaded.notes);
   const bool tells_more = loaded.order.left || !loaded.notes.empty();
   if (!message.is_error && !tells_more) message.clear();
@@ -154,15 +154,14 @@ void record_saved_state(DocumentSession& session, const LoadedFiles& loaded,
   const LoadRequest& order = loaded.order;
   KERF_ASSERT(order.left || !order.files.empty());
   session.files = order.files;
-  session.file.clear();
-  if (order.left) {
+  session.file = file_to_save(loaded);
+  if (order.left && session.file != order.left->work_of) {
+    session.files = {order.left->work_of};
+  } else if (order.left) {
     session.files = order.left->opened;
     for (const SceneBody& body : loaded.scene.bodies) {
       if (order.left->opened.empty()) session.files.push_back(body.mesh);
     }
-    session.file = order.left->work_of;
-  } else if (order.files.front().extension() == ".kerf") {  // Save never writes a previous version
-    session.file = order.files.front();
   }
   const bool saved = !order.left && !loaded.damaged && order.moved.empty();
   session.saved_commands = saved ? session.document.journal().size() : DocumentSession::kNothing;
@@ -602,6 +601,7 @@ void FileOpener::open_recovered() {
   KERF_ASSERT(!workspace_.opening.recoverable.empty());
   LoadRequest order = order_of({});
   order.left = workspace_.opening.recoverable.front().journal;
+  order.left_at = workspace_.opening.recoverable.front().last_change;
   drop_partial_world();
   workspace_.opening.loader.start(std::move(order));
 }

@@ -6,6 +6,7 @@
 #include "core/base/json.h"
 #include "core/base/platform.h"
 #include "core/document/autosave.h"
+#include "core/document/save.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/editor/files/file_opener.h"
 #include "ui/editor/files/watched_files.h"
@@ -484,20 +485,29 @@ class FilesFeature : public Feature {
   // Returns true if the file was written, perhaps without the cuts.
   bool save_to(const fs::path& file) {
     cancel_stroke(workspace_);
+    record_changes();
     const bool saved =
         save_work(workspace_.session, workspace_.view, file, workspace_.settings, workspace_.message);
     if (workspace_.message.is_error) return false;
     recovery_.begin(workspace_.session, workspace_.view);
+    const bool replaced_other = altered_.erase(file) > 0;
     const bool warned = file.extension() != ".json" && warn_about_meshes();
     watch_again();
+    if (replaced_other && !warned) report_replaced(file);
     if (saved && !warned && decisions_.leaving) go(std::exchange(decisions_.leaving, nullptr));
     return true;
   }
-  // Returns true if the saved journal refers to a mesh, or its buffer, that another program has changed.
-  bool warn_about_meshes() {
+  void record_changes() {
     (void)watched_.changed();  // the second call also returns files changed just now
     const std::vector<fs::path> changed = watched_.changed();
     altered_.insert(changed.begin(), changed.end());
+  }
+  void report_replaced(const fs::path& file) {
+    workspace_.message.info(workspace_.message.text + "; the version of another program is now " +
+                            previous_version(whole_path(file)).filename().string());
+  }
+  // Returns true if the saved journal refers to a mesh, or its buffer, that another program has changed.
+  bool warn_about_meshes() {
     const auto mesh = mismatched_mesh(workspace_.session, altered_);
     if (mesh) {
       workspace_.message.error(

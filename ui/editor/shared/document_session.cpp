@@ -310,6 +310,26 @@ Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, Load
   return loaded;
 }
 
+std::filesystem::path file_to_save(const LoadedFiles& loaded) {
+  const LoadRequest& order = loaded.order;
+  if (order.left) {
+    std::error_code missing;
+    const auto saved_at = std::filesystem::last_write_time(order.left->work_of, missing);
+    return missing || saved_at <= order.left_at ? order.left->work_of : std::filesystem::path();
+  }
+  const std::filesystem::path& file = order.files.front();
+  return file.extension() == ".kerf" && !loaded.damaged ? file : std::filesystem::path();
+}
+
+std::string words_on_recovery(const LoadedFiles& loaded) {
+  KERF_ASSERT(loaded.order.left);
+  const std::filesystem::path& file = loaded.order.left->work_of;
+  const std::string words = "Recovered unsaved work";
+  return file_to_save(loaded) == file
+             ? words
+             : words + "; " + file.filename().string() + " was saved later, so Save asks for a name";
+}
+
 void FileLoader::start(LoadRequest order, bool watched) {
   cancel();
   job_ = std::make_unique<Job>();

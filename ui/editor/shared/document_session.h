@@ -73,6 +73,7 @@ struct LoadRequest {
   size_t history_bytes = 0;  // see Document::set_window
   // Mesh files that are read instead of others, which a journal or a scene names.
   std::map<std::filesystem::path, std::filesystem::path> moved{};
+  std::filesystem::file_time_type left_at{};  // last change of the recoverable work
 
   // Returns the displayed name: "bunny.ply and 1 more".
   std::string name() const;
@@ -103,6 +104,14 @@ std::optional<std::filesystem::path> missing_mesh(const LoadRequest& order);
 // can be read. `progress` may be null. `news`, unless null, receives the current task and copies of the
 // world during a replay. Precondition: there are files or recoverable work.
 Result<LoadedFiles> load_files(LoadRequest order, const Progress* progress, LoadProgress* news = nullptr);
+
+// Returns the journal that Save writes once the files are open. Returns an empty path, so that Save asks for
+// a name, if that would replace something that is not in the document: an unreadable part of the journal, a
+// previous version (.kerf~), or changes saved after recoverable work was last changed.
+std::filesystem::path file_to_save(const LoadedFiles& loaded);
+// "Recovered unsaved work", and if its file was saved later, that Save asks for a name. Precondition:
+// recoverable work.
+std::string words_on_recovery(const LoadedFiles& loaded);
 
 // Reads files on a background thread into a separate world.
 class FileLoader {

@@ -4,6 +4,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include <chrono>
+
 #include "core/document/journal.h"
 #include "core/document/save.h"
 #include "tests/support/environment.h"
@@ -213,6 +215,38 @@ TEST_F(SaveWork, recovered_work_has_the_unit_that_was_set_last) {
   ASSERT_EQ(left_work_.size(), 1u);
   const World::Bounds bounds = session_.world().loaded_bounds();
   EXPECT_EQ(select_frame(left_work_[0].journal.scene, false, bounds, settings_).frame.unit, FileUnit::kInch);
+}
+
+TEST_F(SaveWork, recovered_work_does_not_replace_a_file_that_was_saved_later) {
+  cut();
+  ASSERT_TRUE(save(folder_ / "mine.kerf"));
+  {
+    Autosave dead(folder_ / "state");
+    dead.begin(session_.scene, folder_ / "mine.kerf");
+    ASSERT_TRUE(dead.follow(session_.document, {}).ok());
+  }
+  std::vector<std::string> faults;
+  left_work_ = find_recoverable_documents(folder_ / "state", faults);
+  ASSERT_EQ(left_work_.size(), 1u);
+  LoadedFiles loaded;
+  loaded.order.left = left_work_[0].journal;
+  loaded.order.left_at = left_work_[0].last_change;
+  EXPECT_EQ(file_to_save(loaded), left_work_[0].journal.work_of);
+  EXPECT_EQ(words_on_recovery(loaded), "Recovered unsaved work");
+  std::filesystem::last_write_time(folder_ / "mine.kerf", loaded.order.left_at + std::chrono::seconds(1));
+  EXPECT_TRUE(file_to_save(loaded).empty());
+  EXPECT_NE(words_on_recovery(loaded).find("mine.kerf was saved later"), std::string::npos);
+}
+
+TEST_F(SaveWork, a_damaged_journal_and_a_previous_version_are_not_replaced) {
+  LoadedFiles loaded;
+  loaded.order.files = {folder_ / "mine.kerf"};
+  EXPECT_EQ(file_to_save(loaded), folder_ / "mine.kerf");
+  loaded.damaged = true;
+  EXPECT_TRUE(file_to_save(loaded).empty());
+  loaded.damaged = false;
+  loaded.order.files = {folder_ / "mine.kerf~"};
+  EXPECT_TRUE(file_to_save(loaded).empty());
 }
 
 TEST_F(SaveWork, a_stray_letter_key_does_not_discard_recovered_work) {

@@ -454,10 +454,13 @@ void WorldChanges::follow_released(const Delta& delta) {
   followed(delta);
 }
 
+// The stroke was undone, with the pieces that it had cut off.
 void WorldChanges::show_failed_step(const Error& error) {
   pending_message_.clear();  // it would state a success
   cancel_stroke(workspace_);
-  renderer().resend(workspace_.world());
+  Delta all;
+  all.replaced = true;
+  show_change(all, {});
   workspace_.message.error(error.message);
 }
 

@@ -4,9 +4,12 @@
 
 #include <thread>
 
+#include "core/document/extract.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/strokes.h"
+#include "ui/editor/shared/piece_set.h"
 #include "ui/editor/shared/workspace.h"
+#include "ui/gl/context.h"
 
 namespace kerf::test {
 namespace {
@@ -117,6 +120,38 @@ TEST(CutAlong, leaves_the_history_and_the_redo_alone_if_no_beam_meets_a_body) {
   for (const Command& command : stroke_at(0)) both.push_back(command);
   EXPECT_TRUE(cut_along(both, "Path")(document, nullptr).ok());
   EXPECT_EQ(document.history().position(), 2u);
+}
+
+TEST(FailedStep, ends_the_selection_of_a_piece_that_it_has_undone) {
+  const auto context = gl::OffscreenContext::create();
+  ASSERT_TRUE(context) << context.error().message;
+  auto picture = LivePicture::create();
+  ASSERT_TRUE(picture) << picture.error().message;
+  Workspace workspace;
+  workspace.screen.picture = &*picture;
+  Document& document = workspace.session.document = Document(world_of(grid(16, 1)));
+  picture->first().show(workspace.world(), {});
+  CutSettings settings;
+  settings.laser.radius = 0.01;
+  settings.laser.range = {0, 5};
+  settings.resolution.target_edge = 0.005;
+  document.apply(BeginStroke{settings, {{-0.3, 1, -0.7}, {0, -1, 0}}});
+  document.apply(MoveBeam{{{-0.3, 1, 0.7}, {0, -1, 0}}});
+  document.apply(EndStroke{});
+  finish(document);
+  const PieceId piece{workspace.world().ids().front(), 1};
+  ASSERT_TRUE(has_faces(workspace.world(), piece));
+  select_piece(workspace.view.look.pieces, piece, false);
+  bool is_followed = false;
+  workspace.changes.followed = [&](const Delta& delta) { is_followed = delta.replaced; };
+  EXPECT_FALSE(workspace.changes.step([](Document& d) -> Result<StepResult> {
+    EXPECT_TRUE(d.apply(Undo{}).ok());
+    return failed("out of memory");
+  }));
+  EXPECT_FALSE(has_faces(workspace.world(), piece));
+  EXPECT_EQ(first_selected(workspace.view.look.pieces), std::nullopt);
+  EXPECT_TRUE(is_followed);
+  EXPECT_TRUE(workspace.message.is_error);
 }
 
 }  // namespace

@@ -412,12 +412,25 @@ LoadedSettings read_settings(const fs::path& file) {
   return loaded;
 }
 
-Status write_settings(const Settings& settings, const fs::path& file) {
+static Json settings_json(const Settings& settings) {
   Json json = Json::parse(settings.others, nullptr, false);
   if (!json.is_object()) json = Json::object();
   Settings written = settings;
   KeptFields fields(json, KeptFields::Way::kWrite);
   describe(fields, written);
+  return json;
+}
+
+Status write_settings(const Settings& settings, const fs::path& file, const Settings* before) {
+  Json json = settings_json(settings);
+  const auto text = before != nullptr ? read_text_file(file) : Result<std::string>("");
+  const Json others = text ? Json::parse(*text, nullptr, false) : Json();
+  if (others.is_object() && others.value("version", Json()) == Json(kVersion)) {
+    const Json unchanged = settings_json(*before);
+    for (const auto& [key, value] : unchanged.items()) {
+      if (json[key] == value && others.contains(key)) json[key] = others[key];
+    }
+  }
   return write_kept(json, file);
 }
 

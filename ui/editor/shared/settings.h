@@ -94,8 +94,11 @@ struct LoadedSettings {
 // overwritten.
 LoadedSettings read_settings(const std::filesystem::path& file);
 
-// Writes the settings atomically, and creates missing folders.
-Status write_settings(const Settings& settings, const std::filesystem::path& file);
+// Writes the settings atomically, and creates missing folders. Entries that are equal in `before`, the
+// settings last read or written by this editor, keep the values that another editor has written since; with
+// null, all entries are written.
+Status write_settings(const Settings& settings, const std::filesystem::path& file,
+                      const Settings* before = nullptr);
 
 // The state of the panels: unfolded or not, and their places, in the sidebar or docked elsewhere. Panels are
 // identified by their ids.

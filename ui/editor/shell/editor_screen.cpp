@@ -415,9 +415,10 @@ void EditorScreen::save_settings() {
     now.height = static_cast<int>(window_.size().y);
   }
   if (now == saved_) return;
-  saved_ = now;
-  if (const Status written = write_settings(now, settings_file()); !written)
-    workspace_.message.error(written.error().message);
+  const Settings before = std::exchange(saved_, now);
+  const Status written = write_settings(now, settings_file(), settings_written_ ? &before : nullptr);
+  settings_written_ = written.ok();
+  if (!written) workspace_.message.error(written.error().message);
 }
 
 // Draw

@@ -147,7 +147,8 @@ class EditorScreen : public Screen {
   Catalogue catalogue_;
   ToolHeader header_;
   Features features_;
-  Settings saved_;  // in the file
+  Settings saved_;                // in the file, if the last attempt to write it succeeded
+  bool settings_written_ = true;  // it did
   ThreadSetting threads_;
   DeferredPress deferred_press_;
   ChangeThread thread_;  // while it is busy the document is not accessed

@@ -72,6 +72,22 @@ TEST_F(SettingsTest, unknown_keys_are_preserved) {
   EXPECT_EQ(nlohmann::json::parse(text())["night_mode"], nlohmann::json::parse(R"({"deep": [1, 2]})"));
 }
 
+TEST_F(SettingsTest, of_another_editor_are_kept_where_this_one_has_changed_nothing) {
+  const Settings before;
+  ASSERT_TRUE(write_settings(before, file).ok());
+  Settings others = before, own = before;
+  others.bindings = {{"edit.undo", "Ctrl+U"}};
+  others.ui_scale = 1.5;
+  others.threads = 1;
+  own.threads = 3;
+  ASSERT_TRUE(write_settings(others, file, &before).ok());
+  ASSERT_TRUE(write_settings(own, file, &before).ok());
+  const Settings read = read_settings(file).settings;
+  EXPECT_EQ(read.bindings, others.bindings);
+  EXPECT_EQ(read.ui_scale, 1.5);
+  EXPECT_EQ(read.threads, 3);
+}
+
 TEST_F(SettingsTest, labels_of_version_1_are_converted_to_ids_once) {
   put(R"({"version": 1, "tab": "look",
           "bindings": {"Undo": "Ctrl+U", "Shadows: none, ground, all": "", "Tab: Move": "Q", "Not one": "R"},

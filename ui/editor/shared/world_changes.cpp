@@ -7,6 +7,7 @@
 #include "core/base/assert.h"
 #include "core/cut/cut_step.h"
 #include "core/document/commands.h"
+#include "core/document/extract.h"
 #include "core/document/text/fields.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/file_frames.h"
@@ -423,6 +424,10 @@ void WorldChanges::follow_step(const StepResult& step, PreparedBodies prepared) 
   if (workspace_.view.look.ghost || workspace_.view.look.show.face_numbers)
     renderer().send_faces(workspace_.world());
   follow_released(step.delta);
+  if (step.delta.removed_faces > 0) {
+    std::erase_if(workspace_.view.look.pieces,
+                  [&](const auto& entry) { return !has_faces(workspace_.world(), entry.first); });
+  }
   const bool created = std::any_of(step.delta.bodies.begin(), step.delta.bodies.end(),
                                    [](const BodyDelta& body) { return !body.new_pieces.empty(); });
   if (created || workspace_.view.numbers.waits()) {

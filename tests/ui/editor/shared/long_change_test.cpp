@@ -122,36 +122,63 @@ TEST(CutAlong, leaves_the_history_and_the_redo_alone_if_no_beam_meets_a_body) {
   EXPECT_EQ(document.history().position(), 2u);
 }
 
-TEST(FailedStep, ends_the_selection_of_a_piece_that_it_has_undone) {
-  const auto context = gl::OffscreenContext::create();
-  ASSERT_TRUE(context) << context.error().message;
-  auto picture = LivePicture::create();
-  ASSERT_TRUE(picture) << picture.error().message;
-  Workspace workspace;
-  workspace.screen.picture = &*picture;
-  Document& document = workspace.session.document = Document(world_of(grid(16, 1)));
-  picture->first().show(workspace.world(), {});
-  CutSettings settings;
-  settings.laser.radius = 0.01;
-  settings.laser.range = {0, 5};
-  settings.resolution.target_edge = 0.005;
-  document.apply(BeginStroke{settings, {{-0.3, 1, -0.7}, {0, -1, 0}}});
-  document.apply(MoveBeam{{{-0.3, 1, 0.7}, {0, -1, 0}}});
-  document.apply(EndStroke{});
-  finish(document);
-  const PieceId piece{workspace.world().ids().front(), 1};
-  ASSERT_TRUE(has_faces(workspace.world(), piece));
-  select_piece(workspace.view.look.pieces, piece, false);
+// A plate in a viewport, from which a stroke has cut a strip that is selected.
+class SelectedStrip : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = gl::OffscreenContext::create();
+    ASSERT_TRUE(context) << context.error().message;
+    context_.emplace(std::move(*context));
+    auto picture = LivePicture::create();
+    ASSERT_TRUE(picture) << picture.error().message;
+    picture_.emplace(std::move(*picture));
+    workspace_.screen.picture = &*picture_;
+    workspace_.session.document = Document(world_of(grid(16, 1)));
+    picture_->first().show(workspace_.world(), {});
+    cut(0.01);
+    strip_ = {workspace_.world().ids().front(), 1};
+    ASSERT_TRUE(has_faces(workspace_.world(), strip_));
+    select_piece(workspace_.view.look.pieces, strip_, false);
+  }
+  // Cuts along the border between the strip and the plate.
+  void cut(double radius) {
+    CutSettings settings;
+    settings.laser.radius = radius;
+    settings.laser.range = {0, 5};
+    settings.resolution.target_edge = 0.5 * radius;
+    Document& document = workspace_.session.document;
+    document.apply(BeginStroke{settings, {{-0.3, 1, -0.7}, {0, -1, 0}}});
+    document.apply(MoveBeam{{{-0.3, 1, 0.7}, {0, -1, 0}}});
+    document.apply(EndStroke{});
+    while (document.waiting() > 0)
+      ASSERT_TRUE(workspace_.changes.step([](Document& d) { return d.step(64); }));
+  }
+  void expect_no_strip() const {
+    EXPECT_FALSE(has_faces(workspace_.world(), strip_));
+    EXPECT_EQ(first_selected(workspace_.view.look.pieces), std::nullopt);
+  }
+
+  std::optional<gl::OffscreenContext> context_;
+  std::optional<LivePicture> picture_;
+  Workspace workspace_;
+  PieceId strip_;
+};
+
+TEST_F(SelectedStrip, is_deselected_when_a_step_that_fails_has_undone_its_stroke) {
   bool is_followed = false;
-  workspace.changes.followed = [&](const Delta& delta) { is_followed = delta.replaced; };
-  EXPECT_FALSE(workspace.changes.step([](Document& d) -> Result<StepResult> {
+  workspace_.changes.followed = [&](const Delta& delta) { is_followed = delta.replaced; };
+  EXPECT_FALSE(workspace_.changes.step([](Document& d) -> Result<StepResult> {
     EXPECT_TRUE(d.apply(Undo{}).ok());
     return failed("out of memory");
   }));
-  EXPECT_FALSE(has_faces(workspace.world(), piece));
-  EXPECT_EQ(first_selected(workspace.view.look.pieces), std::nullopt);
+  expect_no_strip();
   EXPECT_TRUE(is_followed);
-  EXPECT_TRUE(workspace.message.is_error);
+  EXPECT_TRUE(workspace_.message.is_error);
+}
+
+TEST_F(SelectedStrip, is_deselected_when_a_beam_has_removed_all_its_faces) {
+  cut(0.3);
+  expect_no_strip();
 }
 
 }  // namespace

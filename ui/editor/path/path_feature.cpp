@@ -327,17 +327,11 @@ class PathFeature : public Feature {
     if (const auto why = rejection_reason(path_.strokes())) return workspace_.message.error(*why);
     cancel_stroke(workspace_);
     runs_from_ = workspace_.session.document.history().position();
-    std::function<Resolution(double)> resolution;
-    if (at_panel_resolution_)
-      resolution = [controls = workspace_.laser.resolution](double radius) {
-        return radius > 0 ? controls.of(radius) : Resolution();  // the knife needs none
-      };
     const double diagonal = workspace_.world().bounds().diagonal();
-    std::vector<Command> commands = workspace_.laser.model == Model::kThermal
-                                        ? workspace_.laser.commands_of(path_.strokes(), diagonal, false)
-                                        : path_commands(path_.strokes(), diagonal, resolution);
+    PlannedRun planned = planned_run(path_.strokes(), workspace_.laser, diagonal, at_panel_resolution_);
     uncut_.begin(workspace_, path_.strokes());
-    workspace_.changes.change("Cutting the path", false, cut_along(std::move(commands), "Path"), "Path cut.");
+    workspace_.changes.change("Cutting the path", false, cut_along(std::move(planned.commands), "Path"),
+                              planned.message);
     workspace_.links.cut_once = true;
   }
   // A run that was stopped or that met no surface leaves no step in the history.
@@ -359,6 +353,33 @@ class PathFeature : public Feature {
 };
 
 }  // namespace
+
+PlannedRun planned_run(std::span<const StrokePath> strokes, const LaserControls& laser, double diagonal,
+                       bool at_panel_resolution) {
+  PlannedRun run{{}, "Path cut."};
+  if (laser.model == Model::kGeometric) {
+    std::function<Resolution(double)> resolution;
+    if (at_panel_resolution)
+      resolution = [controls = laser.resolution](double radius) {
+        return radius > 0 ? controls.of(radius) : Resolution();  // the knife needs none
+      };
+    run.commands = path_commands(strokes, diagonal, resolution);
+    return run;
+  }
+  LaserControls own = laser;
+  own.radius = default_settings(StrokePath(), diagonal).laser.radius;
+  if (!at_panel_resolution) {
+    own.pattern = Pattern::kVolume;
+    own.resolution = {.edge_fraction = 1, .rim = Rim::kFaces};  // the defaults of kerf cut --model thermal
+  }
+  run.commands = own.commands_of(strokes, diagonal, false);
+  const auto instant = static_cast<size_t>(std::ranges::count_if(
+      strokes, [](const StrokePath& s) { return s.radius != 0.0 && duration_of(s) <= 0; }));
+  if (instant > 0)
+    run.message = "Path cut; " + count_text(instant, "stroke") +
+                  (instant == 1 ? " lasts no time and emits" : " last no time and emit") + " no energy.";
+  return run;
+}
 
 void PathPanel::draw_buttons(PathWork& path, const ViewState& view, const char* run_disabled_reason,
                              const PathActions& requests) {

@@ -2,13 +2,28 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "core/mesh/files/mesh_format.h"
 #include "ui/editor/path/hole_pattern.h"
 #include "ui/editor/path/path_tool.h"
+#include "ui/editor/shared/laser_controls.h"
 #include "ui/window/number_text.h"
 
 namespace kerf {
+
+// The commands that run a path, and the message after they were executed.
+struct PlannedRun {
+  std::vector<Command> commands;
+  std::string message;
+};
+// Returns the run of a path in a world with this diagonal [m], like kerf cut --path with the model, the power
+// and the assist gas of the controls. `at_panel_resolution`: at the resolution of the controls, too.
+// Precondition: each stroke has a key.
+PlannedRun planned_run(std::span<const StrokePath> strokes, const LaserControls& laser, double diagonal,
+                       bool at_panel_resolution);
 
 // Actions of the panel that are not edits of the path.
 struct PathActions {

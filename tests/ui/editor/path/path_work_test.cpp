@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/path/path_feature.h"
 
 namespace kerf {
 namespace {
@@ -120,6 +121,45 @@ TEST(PathWork, points_of_a_file_lie_on_the_surface_and_keep_their_times) {
   EXPECT_EQ(path.strokes()[0].times, stroke.times);
   path.set_speed(2);
   EXPECT_EQ(path.strokes()[0].times, (std::vector<double>{0, 2}));
+}
+
+TEST(PlannedRun, of_the_thermal_model_has_the_radius_and_the_edges_of_kerf_cut) {
+  StrokePath stroke;
+  stroke.keys = {{{0, 1, 0}, kDownwards}, {{1, 1, 0}, kDownwards}};
+  stroke.times = {0, 1};
+  LaserControls laser;
+  laser.model = Model::kThermal;
+  laser.radius = 0.001;
+  laser.power = 350;
+  laser.resolution.edge_fraction = 0.125;
+  const auto settings = [&](bool at_panel_resolution) {
+    const PlannedRun planned = planned_run(std::span(&stroke, 1), laser, 4, at_panel_resolution);
+    EXPECT_EQ(planned.message, "Path cut.");
+    return std::get<BeginStroke>(planned.commands.front()).settings;
+  };
+  EXPECT_EQ(settings(false).laser.radius, 0.01);
+  EXPECT_EQ(settings(false).laser.power, 350);
+  EXPECT_EQ(settings(false).resolution.target_edge, 0.01);
+  EXPECT_EQ(settings(false).resolution.rim, Rim::kFaces);
+  EXPECT_EQ(settings(true).laser.radius, 0.01);
+  EXPECT_EQ(settings(true).resolution.target_edge, 0.00125);
+  stroke.radius = 0.002;
+  EXPECT_EQ(settings(false).laser.radius, 0.002);
+  EXPECT_EQ(settings(false).resolution.target_edge, 0.002);
+}
+
+TEST(PlannedRun, counts_strokes_that_last_no_time_in_the_thermal_model) {
+  StrokePath burst;
+  burst.keys = {{{0, 1, 0}, kDownwards}};
+  burst.times = {0};
+  LaserControls laser;
+  EXPECT_EQ(planned_run(std::span(&burst, 1), laser, 4, false).message, "Path cut.");
+  laser.model = Model::kThermal;
+  EXPECT_EQ(planned_run(std::span(&burst, 1), laser, 4, false).message,
+            "Path cut; 1 stroke lasts no time and emits no energy.");
+  const std::vector<StrokePath> two{burst, burst};
+  EXPECT_EQ(planned_run(two, laser, 4, false).message,
+            "Path cut; 2 strokes last no time and emit no energy.");
 }
 
 }  // namespace

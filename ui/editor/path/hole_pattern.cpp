@@ -161,7 +161,7 @@ std::vector<StrokePath> hole_strokes(const HolePattern& pattern, const Pose& bea
 
 std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,
                                        const World& world, const ViewOptions& look) {
-  KERF_ASSERT(pattern.hole_radius > 0 && distance > 0);
+  KERF_ASSERT(pattern.hole_radius > 0 && distance >= 0);
   const Plane plane = plane_across(beam.direction);
   const std::vector<Vec3> all = middles(pattern, plane);
   const std::vector<Vec3> circle = circle_points(plane, pattern.hole_radius);

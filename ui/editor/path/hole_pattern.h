@@ -35,7 +35,7 @@ struct HoleOutline {
   std::vector<Vec3> points;
   Meets meets = Meets::kFully;  // how much of the circle and its centre has a visible surface under it
 };
-// Returns an outline per stroke of hole_strokes(). `distance` [m, > 0]: of the target from the origin of the
+// Returns an outline per stroke of hole_strokes(). `distance` [m, >= 0]: of the target from the origin of the
 // beam. Samples fewer points of each circle if there are more than 100 holes. More than 400 are all at the
 // depth of the target and count as full, for speed. Preconditions: those of hole_strokes().
 std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,

@@ -29,7 +29,8 @@ double distance_to_surface(const World& world, const Pose& pose) {
 constexpr const char* kDistancesKey = "distances";
 constexpr const char* kSpeedKey = "speed";
 
-// Returns one positive number per point, or nullopt if the entry is invalid.
+// Returns one number per point, which is 0 for a beam that begins on a surface, or nullopt if the entry is
+// invalid.
 std::optional<std::vector<std::vector<double>>> distances_of(const nlohmann::json& json,
                                                              const std::vector<StrokePath>& strokes) {
   if (!json.is_array() || json.size() != strokes.size()) return std::nullopt;
@@ -38,7 +39,7 @@ std::optional<std::vector<std::vector<double>>> distances_of(const nlohmann::jso
     if (!json[i].is_array() || json[i].size() != strokes[i].keys.size()) return std::nullopt;
     std::vector<double>& of_stroke = distances.emplace_back();
     for (const nlohmann::json& number : json[i]) {
-      if (!number.is_number() || !std::isfinite(number.get<double>()) || number.get<double>() <= 0)
+      if (!number.is_number() || !std::isfinite(number.get<double>()) || number.get<double>() < 0)
         return std::nullopt;
       of_stroke.push_back(number.get<double>());
     }

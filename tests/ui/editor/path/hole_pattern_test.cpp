@@ -94,6 +94,15 @@ TEST(HoleOutlines, are_circles_on_the_surface_or_at_the_depth_of_the_target) {
   }
 }
 
+TEST(HoleOutlines, of_a_beam_that_begins_on_the_surface_lie_there) {
+  World world;
+  world.add(make_body("plate", test::build(test::grid(30, 1))));
+  HolePattern single;
+  single.rows = single.columns = 1, single.hole_radius = 0.06;
+  const HoleOutline outline = hole_outlines(single, {{0.01, 0, 0.02}, {0, -1, 0}}, 0, world, {}).front();
+  for (const Vec3& p : outline.points) EXPECT_NEAR(p.y, 0, 1e-12);
+}
+
 // The plate ends at x = 0.5; the first two centres lie on either side of this edge.
 TEST(HoleOutlines, across_an_edge_meet_the_surface_in_part) {
   World world;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/made_meshes.h"
+
 namespace kerf {
 namespace {
 
@@ -48,6 +50,22 @@ TEST(PathEntry, restores_a_path_that_cannot_be_run_yet) {
   ASSERT_EQ(read.strokes().size(), 2u);
   EXPECT_EQ(read.pose({0, 1}).direction, Vec3(0, 1, 0));
   EXPECT_EQ(read.strokes()[1].radius, 0.0);
+}
+
+TEST(PathEntry, restores_the_speed_of_a_path_whose_beam_begins_on_the_surface) {
+  World world;
+  world.add(make_body("plate", test::build(test::grid(30, 1))));
+  StrokePath stroke;
+  stroke.keys = {{{0.01, 0, 0.02}, {0, -1, 0}}, {{0.21, 0, 0.02}, {0, -1, 0}}};
+  stroke.times = {0, 1};
+  PathWork path;
+  path.load({stroke}, world);
+  EXPECT_EQ(path.distance({0, 0}), 0);
+  path.begin_edit();
+  path.set_speed(0.1);
+  const PathWork read = path_of_entry(nlohmann::json::parse(path_entry(path).dump()), world);
+  EXPECT_FALSE(read.has_times_of_file());
+  EXPECT_EQ(read.speed(), 0.1);
 }
 
 TEST(PathEntry, is_null_for_an_empty_path_and_reads_as_empty_if_invalid) {

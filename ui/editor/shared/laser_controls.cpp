@@ -236,6 +236,7 @@ void LaserTool::press(Document& document, const CameraView& view, Vec2 pointer, 
   pointer_ = pointer;
   pose_ = aim(view, pointer);
   begin(document, controls.settings(diagonal), time);
+  is_fired_ = false;
   held_ = {BeginStroke{settings_, pose_}};
   if (hit) begin_held(document);
 }
@@ -258,6 +259,7 @@ void LaserTool::fire(Document& document, const Pose& pose, double distance, cons
   emitter_ = distance;
   pose_ = pose;
   begin(document, settings, time);
+  is_fired_ = true;
   held_ = {BeginStroke{settings_, pose_}};
   if (time_passes_ || hits_anything(document.world(), settings_.laser, pose_)) begin_held(document);
 }
@@ -292,7 +294,7 @@ void LaserTool::begin_held(Document& document) {
 
 void LaserTool::follow_time(Document& document, bool passes) {
   time_passes_ = passes;
-  if (passes && has_moved()) begin_held(document);
+  if (passes && (has_moved() || is_fired_)) begin_held(document);
 }
 
 void LaserTool::move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time) {

@@ -107,7 +107,7 @@ class LaserTool {
   // of the event [s] on a monotonic clock, which the poses of the stroke store. The document receives a
   // stroke once its beam hits a body, so that a miss leaves no history step and no command in the journal.
   // While time passes, bodies may move into the beam; the document then receives the stroke once the pointer
-  // has moved farther than in a click.
+  // has moved farther than in a click, or at once if fire() began it.
   void press(Document& document, const CameraView& view, Vec2 pointer, const LaserControls& controls,
              double time);
   void move(Document& document, const CameraView& view, Vec2 pointer, double pixel, double time);
@@ -152,6 +152,7 @@ class LaserTool {
   bool cutting_ = false;
   std::vector<Command> held_;     // of the stroke, until it meets a body
   bool time_passes_ = false;      // bodies move by themselves
+  bool is_fired_ = false;         // by fire(), not by the pointer
   double began_ = 0;              // s of the clock of `time`, start of the stroke
   double last_time_ = 0;          // s since began_, last pose passed to the document
   double focus_ = 1;              // m along the pointer's ray

@@ -126,6 +126,20 @@ TEST_F(LaserToolTest, a_drag_off_the_body_is_a_stroke_while_bodies_may_move_into
   EXPECT_EQ(document.journal().size(), 4u);
 }
 
+TEST_F(LaserToolTest, a_fixed_beam_off_the_body_is_a_stroke_once_bodies_may_move_into_it) {
+  tool.fire(document, {{0, 3, 5}, {0, 0, -1}}, 5, controls.settings(4), 7);
+  tool.follow_time(document, false);
+  EXPECT_TRUE(document.journal().empty());
+  tool.follow_time(document, true);
+  EXPECT_TRUE(tool.has_begun());
+  ASSERT_EQ(document.journal().size(), 1u);
+  EXPECT_FALSE(tool.release(document));
+  tool.press(document, view, {-0.9, 0.9}, controls, 8);
+  tool.follow_time(document, true);
+  EXPECT_FALSE(tool.has_begun()) << "a click";
+  EXPECT_TRUE(tool.release(document));
+}
+
 TEST_F(LaserToolTest, a_move_below_half_a_pixel_is_dropped) {
   tool.press(document, view, {0, 0}, controls, 7);
   const size_t commands = document.journal().size();

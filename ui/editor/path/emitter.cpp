@@ -65,6 +65,8 @@ constexpr const char* kInShotsKey = "in_shots";
 constexpr const char* kPaceKey = "pace";
 
 constexpr double kEmitterAway = 0.35;  // diagonals of the world
+constexpr const char* kNoEnergy =
+    "Shots last no time and emit no energy in the thermal model: select Continuous, or the geometric model.";
 
 class EmitterFeature : public Feature {
  public:
@@ -244,6 +246,10 @@ class EmitterFeature : public Feature {
   void fire_shots(double now) {
     const Document& document = workspace_.session.document;
     if (!emitter_.firing) return emitter_.pace.begin();
+    if (workspace_.laser.model == Model::kThermal) {
+      emitter_.firing = false;
+      return workspace_.message.error(kNoEnergy);
+    }
     if (workspace_.beam.cutting() || document.waiting() > 0 || !emitter_.pace.is_due(now)) return;
     emitter_.pace.take(now);
     const Laser laser = workspace_.laser.settings(workspace_.world().bounds().diagonal()).laser;

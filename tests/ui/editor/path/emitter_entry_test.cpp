@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 #include "tests/support/made_meshes.h"
 #include "ui/editor/shared/document_session.h"
 #include "ui/editor/shared/feature.h"
@@ -34,29 +37,58 @@ TEST(EmitterEntry, is_null_without_an_emitter_and_ignored_if_invalid) {
   EXPECT_FALSE(emitter_of_entry({{"at", "there"}, {"target", {0, 0, 1}}}).placed());
 }
 
-TEST(EmitterEntry, keeps_its_radius_when_the_emitter_moves) {
+// An emitter at (0, 0, 5) that aims at a sphere of radius 1.
+struct EmitterBench {
+  EmitterBench() {
+    workspace.screen.clock = &clock;
+    workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.finish();
+    World world;
+    world.add(make_body("sphere", test::build(test::sphere(8, 12, 1))));
+    workspace.session.document = Document(std::move(world));
+  }
+  void open(const nlohmann::json& entry) {
+    set_head_entry(workspace.session.scene, kEmitterKey, entry);
+    feature->on_document_opened();
+  }
+  void run(const std::string& id) {
+    for (const UserAction& action : feature->actions()) {
+      if (action.id == id) action.run();
+    }
+    feature->update(0);
+  }
+
   struct Clock final : WindowClock {
     double seconds() const override { return 0; }
   } clock;
   Workspace workspace;
-  workspace.screen.clock = &clock;
-  workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
-  workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
-  workspace.view.camera.finish();
-  World world;
-  world.add(make_body("sphere", test::build(test::sphere(8, 12, 1))));
-  workspace.session.document = Document(std::move(world));
+  std::unique_ptr<Feature> feature = emitter_feature(workspace);
+};
+
+TEST(EmitterEntry, keeps_its_radius_when_the_emitter_moves) {
+  EmitterBench bench;
   const nlohmann::json before{{"at", {0, 0, 5}}, {"target", {0, 0, 1}}, {"radius", 0.25}};
-  set_head_entry(workspace.session.scene, kEmitterKey, before);
-  const auto feature = emitter_feature(workspace);
-  feature->on_document_opened();
-  for (const UserAction& action : feature->actions()) {
-    if (action.id == "emitter.place") action.run();
-  }
-  feature->update(0);
-  const nlohmann::json after = head_entry(workspace.session.scene, kEmitterKey);
+  bench.open(before);
+  bench.run("emitter.place");
+  const nlohmann::json after = head_entry(bench.workspace.session.scene, kEmitterKey);
   EXPECT_NE(after["at"], before["at"]);
   EXPECT_EQ(radius_of_entry(after), 0.25);
+}
+
+TEST(EmitterFeature, fires_shots_unless_they_would_emit_no_energy) {
+  for (const Model model : {Model::kGeometric, Model::kThermal}) {
+    EmitterBench bench;
+    bench.workspace.laser.model = model;
+    bench.open({{"at", {0, 0, 5}}, {"target", {0, 0, 1}}, {"in_shots", true}});
+    bench.run("emitter.fire");
+    const bool is_thermal = model == Model::kThermal;
+    EXPECT_EQ(bench.workspace.session.document.history().size(), is_thermal ? 0u : 1u);
+    EXPECT_EQ(bench.workspace.message.is_error, is_thermal) << bench.workspace.message.text;
+    nlohmann::ordered_json report;
+    bench.feature->write_session_log(report);
+    EXPECT_EQ(report["emitter"]["firing"].get<bool>(), !is_thermal);
+  }
 }
 
 }  // namespace

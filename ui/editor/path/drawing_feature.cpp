@@ -229,6 +229,7 @@ class DrawingFeature : public Feature {
   std::string load(const std::filesystem::path& file) {
     auto drawing = import_drawing(file);
     if (!drawing) return drawing.error().message;
+    end_exploded_view(workspace_.world(), workspace_.view);
     drawing_ = std::move(*drawing);
     layers_ = {};
     selected_layer_ = 0;

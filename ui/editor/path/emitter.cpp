@@ -84,6 +84,7 @@ class EmitterFeature : public Feature {
     const auto handle =
         handle_under(emitter_handles(emitter_, PrimaryViewport(workspace_.view)), workspace_.input.pointer);
     if (!handle || workspace_.view.in_second) return nullptr;
+    end_exploded_view(workspace_.world(), workspace_.view);
     emitter_.take(handle->part, workspace_.input.pointer);
     return std::make_unique<PlainDrag>("Moving the emitter",
                                        [this](const InputEvent& event) { drag(event.seconds); });
@@ -207,6 +208,7 @@ class EmitterFeature : public Feature {
       emitter_.pace.set(pace);
   }
   void place() {
+    end_exploded_view(workspace_.world(), workspace_.view);
     const double diagonal = workspace_.world().bounds().diagonal();
     const CameraView view = workspace_.view.seen_first();
     const auto surface = surface_point(workspace_.world(), workspace_.view.look, view.ray(0, 0));

@@ -456,6 +456,7 @@ class TimeFeature : public Feature {
 
   std::unique_ptr<Interaction> begin_interaction(const Press& press) override {
     if (!picks(workspace_.input, press) || !play_.playing) return nullptr;
+    end_exploded_view(workspace_.world(), workspace_.view);
     const auto spring = spring_at(workspace_.world(), workspace_.view, workspace_.input.pointer);
     return spring ? std::make_unique<Pull>(*this, *spring) : nullptr;
   }

@@ -24,9 +24,11 @@ struct DrawingBench {
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
     workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
     workspace.view.camera.finish();
-    const std::filesystem::path file = folder / "drawing.svg";
     test::write_text(file, R"(<svg width="500mm" height="250mm" viewBox="0 0 500 250">)"
                            R"(<rect width="400" height="200" x="10" y="10" stroke="red"/></svg>)");
+    load();
+  }
+  void load() {
     for (const auto& taker : workspace.links.file_takers) {
       if (taker.accepts(file)) taker.take(file);
     }
@@ -56,6 +58,7 @@ struct DrawingBench {
   test::TemporaryFolder folder;
   test::EditorFeatures editor;
   Workspace& workspace = editor.workspace;
+  const std::filesystem::path file = folder / "drawing.svg";
 };
 
 TEST(DrawingFeature, a_drag_is_over_when_an_action_removes_the_drawing) {
@@ -81,6 +84,13 @@ TEST(DrawingFeature, a_press_in_the_exploded_view_redraws_the_pieces_in_place) {
   bench.handle(InputEvent::Kind::kPress, at->at);
   EXPECT_EQ(bench.workspace.view.spread, 0);
   EXPECT_TRUE(bench.workspace.view.picture_old);
+}
+
+TEST(DrawingFeature, a_drawing_is_placed_on_pieces_in_their_true_places) {
+  DrawingBench bench;
+  bench.workspace.view.spread = 1;
+  bench.load();
+  EXPECT_EQ(bench.workspace.view.spread, 0);
 }
 
 TEST(DrawingFeature, an_enter_key_held_from_the_dialog_cuts_nothing) {

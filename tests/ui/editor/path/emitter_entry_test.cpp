@@ -76,6 +76,22 @@ TEST(EmitterEntry, keeps_its_radius_when_the_emitter_moves) {
   EXPECT_EQ(radius_of_entry(after), 0.25);
 }
 
+TEST(EmitterFeature, aims_at_pieces_in_their_true_places) {
+  EmitterBench bench;
+  bench.workspace.view.spread = 1;
+  bench.run("emitter.place");
+  EXPECT_EQ(bench.workspace.view.spread, 0);
+  Landmarks landmarks(std::nullopt);
+  bench.feature->add_landmarks(landmarks);
+  const auto target = landmarks.find("emitter target");
+  ASSERT_TRUE(target.has_value());
+  bench.workspace.view.spread = 1;
+  const InputEvent press{InputEvent::Kind::kPress, target->at, 0};
+  bench.workspace.input.pointer = target->at;
+  EXPECT_NE(bench.feature->begin_interaction({press}), nullptr);
+  EXPECT_EQ(bench.workspace.view.spread, 0);
+}
+
 TEST(EmitterFeature, fires_shots_unless_they_would_emit_no_energy) {
   for (const Model model : {Model::kGeometric, Model::kThermal}) {
     EmitterBench bench;

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "tests/support/made_meshes.h"
+#include "ui/editor/shared/feature.h"
 #include "ui/render/view/camera.h"
+#include "ui/window/layout.h"
 
 namespace kerf {
 namespace {
@@ -63,6 +65,26 @@ TEST(TimeFlow, makes_a_single_tick_after_playback_an_entry_of_its_own) {
   EXPECT_EQ(document.history().position(), 2u);
   ASSERT_TRUE(document.apply(Undo{}).ok());
   EXPECT_EQ(document.world().clock(), played);
+}
+
+TEST(TimeFeature, pulls_pieces_in_their_true_places) {
+  Workspace workspace;
+  workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
+  workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+  workspace.view.camera.finish();
+  World world;
+  world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+  workspace.session.document = Document(std::move(world));
+  const auto time = time_feature(workspace);
+  for (const UserAction& action : time->actions()) {
+    if (action.id == "physics.play") action.run();
+  }
+  const Area& picture = workspace.view.layout.first;
+  workspace.input.pointer = picture.at + 0.5 * picture.size + Vec2(3, 5);
+  workspace.view.spread = 1;
+  const InputEvent event{InputEvent::Kind::kPress, workspace.input.pointer, 0};
+  EXPECT_NE(time->begin_interaction({event, false, true}), nullptr);
+  EXPECT_EQ(workspace.view.spread, 0);
 }
 
 }  // namespace

@@ -319,8 +319,8 @@ class DrawingFeature : public Feature {
     placement_.turn = radians_of(angle);
   }
   void set_scale(double scale) {
-    const double largest = 1e6 * world_units(), least = 1e-6 * world_units();
-    placement_.scale = std::clamp(scale, least, largest);
+    constexpr double kLargest = 1e12;  // of the true size; meshes may be a micrometre wide
+    placement_.scale = std::clamp(scale, world_units() / kLargest, world_units() * kLargest);
   }
 
   // Rows

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "core/base/json.h"
 #include "tests/support/editor_features.h"
 #include "tests/support/made_meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -15,14 +16,14 @@
 namespace kerf {
 namespace {
 
-// An editor with a sphere of radius 1 before the eye, on which a drawing is placed.
+// An editor with a sphere before the eye, on which a drawing is placed.
 struct DrawingBench {
-  DrawingBench() {
+  explicit DrawingBench(double radius = 1) {
     World world;
-    world.add(make_body("sphere", test::build(test::sphere(24, 32, 1))));
+    world.add(make_body("sphere", test::build(test::sphere(24, 32, radius))));
     workspace.session.document = Document(std::move(world));
     workspace.view.layout = lay_out({1000, 700}, 16, 26, 26);
-    workspace.view.camera.look({0, 0, 5}, {0, 0, 0});
+    workspace.view.camera.look({0, 0, 5 * radius}, {0, 0, 0});
     workspace.view.camera.finish();
     test::write_text(file, R"(<svg width="500mm" height="250mm" viewBox="0 0 500 250">)"
                            R"(<rect width="400" height="200" x="10" y="10" stroke="red"/></svg>)");
@@ -73,6 +74,23 @@ TEST(DrawingFeature, a_drag_is_over_when_an_action_removes_the_drawing) {
     EXPECT_EQ(bench.workspace.input.held, nullptr) << place;
     EXPECT_FALSE(bench.place_of("drawing").has_value()) << place;
   }
+}
+
+TEST(DrawingFeature, a_corner_scales_a_drawing_on_a_mesh_of_less_than_a_micrometre) {
+  DrawingBench bench(1e-7);
+  const auto width = [&] {
+    nlohmann::ordered_json report;
+    bench.drawing().write_session_log(report);
+    return report["drawing"]["width"].get<double>();
+  };
+  const double before = width();
+  EXPECT_LT(before, 4e-7);
+  const auto corner = bench.place_of("drawing corner 2");
+  ASSERT_TRUE(corner.has_value());
+  bench.handle(InputEvent::Kind::kPress, corner->at);
+  bench.handle(InputEvent::Kind::kMove, corner->at + Vec2(4, -2));
+  EXPECT_GT(width(), before);
+  EXPECT_LT(width(), 1.5 * before);
 }
 
 TEST(DrawingFeature, a_press_in_the_exploded_view_redraws_the_pieces_in_place) {

@@ -165,13 +165,16 @@ std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& b
   const Plane plane = plane_across(beam.direction);
   const std::vector<Vec3> all = middles(pattern, plane);
   const std::vector<Vec3> circle = circle_points(plane, pattern.hole_radius);
+  ViewOptions in_place = look;
+  for (auto& [id, piece] : in_place.pieces) piece.offset = Vec3(0);
   std::vector<HoleOutline> outlines;
   for (const Vec3& middle : all) {
     const Pose ray{beam.origin + middle, beam.direction};
     HoleOutline outline;
     double depth = distance;
     if (all.size() <= kMaxProjectedHoles) {
-      const HoleDepth found = depth_of_hole(world, look, ray, circle, 1 + all.size() / kMaxFullySampledHoles);
+      const HoleDepth found =
+          depth_of_hole(world, in_place, ray, circle, 1 + all.size() / kMaxFullySampledHoles);
       outline.meets = found.meets;
       depth = found.depth.value_or(distance);
     }

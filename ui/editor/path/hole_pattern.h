@@ -37,7 +37,8 @@ struct HoleOutline {
 };
 // Returns an outline per stroke of hole_strokes(). `distance` [m, >= 0]: of the target from the origin of the
 // beam. Samples fewer points of each circle if there are more than 100 holes. More than 400 are all at the
-// depth of the target and count as full, for speed. Preconditions: those of hole_strokes().
+// depth of the target and count as full, for speed. In the exploded view, surfaces count where they are cut.
+// Preconditions: those of hole_strokes().
 std::vector<HoleOutline> hole_outlines(const HolePattern& pattern, const Pose& beam, double distance,
                                        const World& world, const ViewOptions& look);
 

@@ -94,6 +94,16 @@ TEST(HoleOutlines, are_circles_on_the_surface_or_at_the_depth_of_the_target) {
   }
 }
 
+TEST(HoleOutlines, of_the_exploded_view_meet_pieces_in_their_true_places) {
+  World world;
+  const BodyId plate = world.add(make_body("plate", test::build(test::grid(30, 1))));
+  ViewOptions look;
+  look.pieces[{plate, 0}].offset = {0, 0, 3};
+  HolePattern single;
+  single.rows = single.columns = 1, single.hole_radius = 0.06;
+  EXPECT_EQ(hole_outlines(single, kDown, 0.5, world, look).front().meets, HoleOutline::Meets::kFully);
+}
+
 TEST(HoleOutlines, of_a_beam_that_begins_on_the_surface_lie_there) {
   World world;
   world.add(make_body("plate", test::build(test::grid(30, 1))));

@@ -168,7 +168,8 @@ bool number_row(NumberFields& fields, const NumberField<Owner>& field, const Num
   double shown = owner.*field.member / row.scale;
   const bool is_length = std::string_view(field.range.unit) == "m";
   const NumberUnit unit{is_length ? Quantity::kLength : Quantity::kPlain, row.scale};
-  const NumberRange range{field.range.least / row.scale, field.range.most / row.scale};
+  const NumberRange range{field.range.least / row.scale, field.range.most / row.scale, "",
+                          field.range.positive};
   if (!fields.number(row.label, shown, row.format, row.tooltip, is_length ? unit : NumberUnit(), range))
     return false;
   owner.*field.member = std::clamp(shown * row.scale, field.range.least, field.range.most);

@@ -118,6 +118,11 @@ TEST_F(MaterialEntries, of_the_number_of_the_first_piece_change_the_other_pieces
   EXPECT_EQ(change.sheet->applied_to(workspace.world().body(pieces[1].body).sheet).thickness, 0.001);
 }
 
+TEST_F(MaterialEntries, of_no_thickness_are_refused) {
+  type_thickness("0");
+  EXPECT_FALSE(press({390, 290}).sheet);
+}
+
 TEST(KnownClosed, updates_with_the_faces_of_the_requested_piece) {
   World world = world_of(brick({1, 2, 3}));
   const BodyId open = world.add(make_body("plate", build(plate(1))));

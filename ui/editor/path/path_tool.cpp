@@ -210,7 +210,13 @@ void PathWork::keep_speed(size_t stroke) {
   if (now_.speed) retime(now_.strokes[stroke], *now_.speed);
 }
 
+double PathWork::speed_or(double other) const {
+  const double own = speed();
+  return own > 0 ? own : other;
+}
+
 void PathWork::add(const Pose& pose, double distance, bool new_stroke, double radius, double speed) {
+  const double mean = speed_or(speed);
   if (empty()) now_.speed = speed;
   size_t stroke = selected_ ? selected_->stroke : now_.strokes.size() - 1;
   if (empty() || new_stroke) {
@@ -224,6 +230,7 @@ void PathWork::add(const Pose& pose, double distance, bool new_stroke, double ra
   std::vector<double>& distances = now_.distances[stroke];
   distances.insert(distances.begin() + static_cast<std::ptrdiff_t>(at), distance);
   keep_speed(stroke);
+  if (!now_.speed && keys == 1) retime(now_.strokes[stroke], mean);  // a single point states no speed
   selected_ = PathPoint{stroke, at};
 }
 
@@ -267,13 +274,14 @@ void PathWork::set_speed(double speed) {
 void PathWork::add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance,
                            double speed) {
   const bool has_speed = !empty() && now_.speed;
+  const double mean = speed_or(speed);
   if (selected_ && now_.strokes[selected_->stroke].keys.size() == 1) remove(*selected_);
   if (empty() && !has_speed) now_.speed = speed;
   for (const StrokePath& stroke : strokes) {
     now_.strokes.push_back(stroke);
     std::vector<double>& distances = now_.distances.emplace_back();
     for (const Pose& pose : stroke.keys) distances.push_back(first_hit(world, pose).value_or(distance));
-    keep_speed(now_.strokes.size() - 1);
+    retime(now_.strokes.back(), now_.speed.value_or(mean));
   }
   selected_.reset();
 }

@@ -62,7 +62,8 @@ class PathWork {
   // beam_direction(), i.e. unit vectors.
   //
   // Adds a point after the selected one, or at the end, and selects it. A first point, or any with
-  // `new_stroke`, begins a stroke with a beam of this radius [m]. An empty path gets this speed [m/s].
+  // `new_stroke`, begins a stroke with a beam of this radius [m]. An empty path gets this speed [m/s]; a new
+  // stroke of a path with the times of its file gets the mean speed of the path.
   void add(const Pose& pose, double distance, bool new_stroke, double radius, double speed);
   void set(PathPoint point, const Pose& pose, double distance);
   // Removes a point, and its stroke with its last point. Selects the previous point.
@@ -71,7 +72,7 @@ class PathWork {
   void set_speed(double speed);
   // Adds strokes; they replace the selected point if it is a stroke of its own. Their points aim at the
   // surfaces of the world, or have this distance [m] if their beams hit nothing. A path of these strokes
-  // alone gets this speed [m/s] unless another one was set.
+  // alone gets this speed [m/s] unless another one was set; else the strokes get the speed of the path.
   void add_strokes(const std::vector<StrokePath>& strokes, const World& world, double distance, double speed);
   // Replaces the path by that of a file. Its points aim at the surfaces of the world.
   void load(std::vector<StrokePath> strokes, const World& world);
@@ -108,6 +109,7 @@ class PathWork {
   };
   void replace(Version version);
   void keep_speed(size_t stroke);
+  double speed_or(double other) const;  // speed(), or another one if the path does not move
 
   Version now_;
   std::vector<Version> undone_to_, redone_to_;

@@ -58,6 +58,25 @@ TEST(PathWork, strokes_that_replace_a_single_point_keep_its_speed) {
   EXPECT_EQ(path.speed(), 4) << "of an empty path";
 }
 
+TEST(PathWork, strokes_added_to_a_path_with_the_times_of_its_file_have_its_mean_speed) {
+  StrokePath stroke;
+  stroke.keys = {{{0, 1, 0}, kDownwards}, {{1, 1, 0}, kDownwards}};
+  stroke.times = {0, 4};
+  PathWork path;
+  path.load({stroke}, World());
+  stroke.times = {0, 1};
+  path.begin_edit();
+  path.add_strokes({stroke}, World(), 1, 2);
+  EXPECT_EQ(path.strokes()[1].times, (std::vector<double>{0, 4}));
+  path.begin_edit();
+  path.add({{5, 1, 0}, kDownwards}, 1, true, 0.01, 2);
+  path.begin_edit();
+  path.add({{6, 1, 0}, kDownwards}, 1, false, 0.01, 2);
+  ASSERT_EQ(path.strokes().size(), 3u);
+  EXPECT_EQ(path.strokes()[2].times, (std::vector<double>{0, 4}));
+  EXPECT_TRUE(path.has_times_of_file());
+}
+
 TEST(PathWork, an_edit_after_undo_clears_the_redo_history) {
   PathWork path = two_strokes();
   path.undo();

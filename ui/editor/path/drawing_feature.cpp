@@ -246,6 +246,7 @@ class DrawingFeature : public Feature {
     placement_ = {};
     placement_.view = workspace_.view.seen_first();
     placement_.anchor = first_anchor();
+    placement_.beam = downward_beam(workspace_.view.frame.up);
     const Vec3 size = workspace_.world().bounds().max - workspace_.world().bounds().min;
     placement_.axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
     placement_.scale = world_units();
@@ -458,6 +459,9 @@ class DrawingFeature : public Feature {
   // ------------------------------------------------------------------------------------------------------
 
   void request_drawing_cut() {
+    if (workspace_.opening.loader.busy())
+      return workspace_.message.info("Cannot cut until " + workspace_.opening.loader.order().name() +
+                                     " is open.");
     workspace_.changes.enqueue(
         {.name = "Cut drawing", .run = [this] { return cut_drawing(), true; }, .is_one = true});
   }

@@ -14,6 +14,8 @@ namespace kerf {
 
 // Directions of the beam of DrawingMode::kAxis (see plane_onto()).
 inline constexpr std::array<const char*, 6> kBeamAxes{"+x", "-x", "+y", "-y", "+z", "-z"};
+// Returns the index of the one that points down.
+constexpr int downward_beam(UpAxis up) { return up == UpAxis::kZ ? 5 : 3; }
 
 enum class DrawingMode {
   kPlane,  // the plane of a surface; the beam is perpendicular to it

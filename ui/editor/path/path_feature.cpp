@@ -12,6 +12,7 @@
 #include "core/document/job_files.h"
 #include "core/document/save.h"
 #include "core/document/text/json.h"
+#include "ui/editor/path/drawing_placement.h"
 #include "ui/editor/path/uncut_lines.h"
 #include "ui/editor/shared/command_labels.h"
 #include "ui/editor/shared/document_session.h"
@@ -257,7 +258,7 @@ class PathFeature : public Feature {
                  workspace_.laser.radius * metres_per_unit(workspace_.view.frame.unit) / kOfRadius);
     if (!job) return job.error();
     const FileFrame& frame = workspace_.view.frame;
-    JobPlane plane = *plane_onto(frame.up == UpAxis::kZ ? "-z" : "-y");
+    JobPlane plane = *plane_onto(kBeamAxes.at(static_cast<size_t>(downward_beam(frame.up))));
     plane.scale = 1 / metres_per_unit(frame.unit);
     return program_strokes(job->program, plane, std::nullopt);
   }

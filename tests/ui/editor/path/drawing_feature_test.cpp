@@ -104,6 +104,14 @@ TEST(DrawingFeature, a_press_in_the_exploded_view_redraws_the_pieces_in_place) {
   EXPECT_TRUE(bench.workspace.view.picture_old);
 }
 
+TEST(DrawingFeature, a_cut_while_a_file_is_opened_is_refused_with_a_message) {
+  DrawingBench bench;
+  bench.workspace.opening.loader.start({{"kerf-missing.obj"}, {}, 0});
+  bench.run("drawing.cut");
+  EXPECT_EQ(bench.workspace.message.text, "Cannot cut until kerf-missing.obj is open.");
+  EXPECT_FALSE(bench.workspace.changes.has_requests());
+}
+
 TEST(DrawingFeature, a_drawing_is_placed_on_pieces_in_their_true_places) {
   DrawingBench bench;
   bench.workspace.view.spread = 1;

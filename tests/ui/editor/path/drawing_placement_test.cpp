@@ -227,6 +227,15 @@ TEST(DrawingPlacement, a_beam_round_a_cylinder_ends_behind_the_first_surface) {
   }
 }
 
+TEST(DrawingPlacement, the_downward_beam_is_opposite_to_the_up_axis) {
+  for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+    DrawingPlacement placement;
+    placement.mode = DrawingMode::kAxis;
+    placement.beam = downward_beam(up);
+    EXPECT_EQ(placement.plane({Vec3(-1), Vec3(1)}).beam, from_y_up({0, -1, 0}, up));
+  }
+}
+
 TEST(DrawingLayers, have_the_radius_and_the_speed_of_the_panel_unless_they_have_their_own) {
   ImportedDrawing drawing;
   drawing.layers = {{"a", 1}, {"b", 2}, {"c", 1}};

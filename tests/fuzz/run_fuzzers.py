@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
 """Runs fuzzers: run_fuzzers.py --folder FOLDER [--seconds N] [--quiet N] [--keep] TARGET...
 
-FOLDER holds the executables fuzz_TARGET. Each runs from the saved corpus beside this file and from what earlier runs
-found in FOLDER/found/TARGET, until `seconds` are over or `quiet` seconds have brought no new coverage; two run at a
-time. Strokes run as long twice: short histories, some hundred a second, and long ones, a few a second, which begin from
-some of those found. Prints a line each with the number of covered edges, and where one breaks, what it said and the
-file that broke it, kept in FOLDER/findings; the last line sums the inputs. `--keep` adds to the saved corpora what
-covers more, without what others cover as well. Exits 1 on a finding, 77 where there is no fuzzer.
+FOLDER holds the executables fuzz_TARGET. Each runs from the seeds in corpus/TARGET, from the archive of inputs in
+corpus and from what earlier runs found in FOLDER/found/TARGET, until `seconds` are over or `quiet` seconds have brought
+no new coverage; two run at a time. Strokes run as long twice: short histories, some hundred a second, and long ones, a
+few a second, which begin from some of those found. Prints a line each with the number of covered edges, and where one
+breaks, what it said and the file that broke it, kept in FOLDER/findings; the last line sums the inputs. `--keep` writes
+the archive again: the fewest inputs that cover what the found ones do and the seeds do not. Exits 1 on a finding, 77
+where there is no fuzzer.
 """
 import argparse
 import concurrent.futures
 import os
 import re
 import selectors
+import shutil
 import signal
 import subprocess
 import sys
+import tarfile
 import time
 
 HERE = os.path.dirname(os.path.realpath(__file__))
@@ -48,8 +51,21 @@ def environment():
             'KERF_ASSERTS': 'fatal', 'KERF_THREADS': '1'}
 
 
-def saved_corpus(target):
+def seeds(target):
     return os.path.join(HERE, 'corpus', target)
+
+
+def archive(name):
+    return os.path.join(HERE, 'corpus', name + '.tar.xz')
+
+
+def unpack(name, folder):
+    if not os.path.exists(archive(name)):
+        return
+    with tarfile.open(archive(name)) as tar:
+        for member in tar:
+            with open(os.path.join(folder, os.path.basename(member.name)), 'wb') as file:
+                file.write(tar.extractfile(member).read())
 
 
 def follow(fuzzer, seconds, quiet):
@@ -80,13 +96,14 @@ def fuzz(folder, name, target, limits, seconds, quiet):
     found, findings = os.path.join(folder, 'found', name), os.path.join(folder, 'findings')
     os.makedirs(found, exist_ok=True)
     os.makedirs(findings, exist_ok=True)
+    unpack(name, found)
     if limits is LONG:
         for path in sorted(os.path.join(found, file) for file in os.listdir(found))[MOST_LONG:]:
             os.remove(path)
-    saved = [saved_corpus(target)] if limits is not SHORT and os.path.isdir(saved_corpus(target)) else []
+    saved = [seeds(target)] if limits is not SHORT and os.path.isdir(seeds(target)) else []
     command = [os.path.join(folder, 'fuzz_' + target), found, *saved,
                f'-artifact_prefix={findings}/{name}-', f'-max_total_time={seconds}', '-print_final_stats=1', *limits]
-    words = saved_corpus(target) + '.dict'
+    words = seeds(target) + '.dict'
     command += [f'-dict={words}'] if os.path.exists(words) else []
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors='replace',
                           bufsize=1, env=environment()) as fuzzer:
@@ -96,14 +113,23 @@ def fuzz(folder, name, target, limits, seconds, quiet):
 
 
 def keep(folder, name, target, limits):
-    """Adds the smallest inputs with new coverage to the saved corpus; the number of its files and its bytes."""
-    corpus = saved_corpus(target)
-    os.makedirs(corpus, exist_ok=True)
-    found = os.path.join(folder, 'found', name)
-    subprocess.run([os.path.join(folder, 'fuzz_' + target), '-merge=1', corpus, found, *limits], capture_output=True,
+    """Writes the archive of the inputs that were found, minimised; the number of inputs and its bytes."""
+    kept, found = os.path.join(folder, 'kept', name), os.path.join(folder, 'found', name)
+    shutil.rmtree(kept, ignore_errors=True)
+    given = os.listdir(seeds(target)) if os.path.isdir(seeds(target)) else []
+    os.makedirs(kept)
+    for file in given:
+        shutil.copy(os.path.join(seeds(target), file), kept)
+    subprocess.run([os.path.join(folder, 'fuzz_' + target), '-merge=1', kept, found, *limits], capture_output=True,
                    env=environment())
-    sizes = [os.path.getsize(os.path.join(corpus, file)) for file in os.listdir(corpus)]
-    return len(sizes), sum(sizes)
+    inputs = sorted(set(os.listdir(kept)) - set(given))
+    with tarfile.open(archive(name), 'w:xz') as tar:
+        for file in inputs:
+            member = tarfile.TarInfo(file)
+            member.size = os.path.getsize(os.path.join(kept, file))
+            with open(os.path.join(kept, file), 'rb') as content:
+                tar.addfile(member, content)
+    return len(inputs), os.path.getsize(archive(name))
 
 
 def main():
@@ -111,7 +137,7 @@ def main():
     parser.add_argument('--folder', required=True)
     parser.add_argument('--seconds', type=int, default=10)
     parser.add_argument('--quiet', type=int, default=1 << 30, help='seconds without new coverage that end a run')
-    parser.add_argument('--keep', action='store_true', help='add inputs with new coverage to the saved corpora')
+    parser.add_argument('--keep', action='store_true', help='write the archives of inputs again')
     parser.add_argument('targets', nargs='+')
     arguments = parser.parse_args()
     if arguments.seconds < 1:
@@ -133,7 +159,7 @@ def main():
                 print(''.join(said[-60:]))
             elif arguments.keep:
                 files, size = keep(arguments.folder, name, target, limits)
-                print(f'{"":13} {files} files of {size:,} bytes are saved', flush=True)
+                print(f'{"":13} {files:,} inputs are kept in {size:,} bytes', flush=True)
     print(f'{inputs:,} inputs, {edges:,} edges', flush=True)
     return 1 if broken else 0
 

@@ -32,6 +32,10 @@ struct PrepareOptions {
     if (out != kStream) return std::filesystem::path(out).extension().string();
     return format.empty() ? "obj" : format;
   }
+  // Returns true if the mesh is only written again.
+  bool only_converts() const {
+    return !faces && !error && !subdivide && !smooth && !turn_shells && unit == "m";
+  }
 };
 
 std::optional<Subdivision> subdivision_named(const std::string& name) {
@@ -43,9 +47,11 @@ std::optional<Subdivision> subdivision_named(const std::string& name) {
 
 Status check(const PrepareOptions& o) {
   if (o.faces && o.error) return bad_input("--simplify-error: cannot be given together with --simplify");
-  if (!o.faces && !o.error && !o.subdivide && !o.smooth && !o.turn_shells && o.unit == "m") {
+  const auto from = mesh_format(std::filesystem::path(o.mesh).extension().string());
+  if (o.only_converts() && from && from == mesh_format(o.ending())) {
     return bad_input(
-        "nothing to do; give --unit, --turn-shells, --simplify, --simplify-error, --subdivide or --smooth");
+        "nothing to do; give --unit, --turn-shells, --simplify, --simplify-error, --subdivide or --smooth, "
+        "or another format");
   }
   if (o.subdivide && !subdivision_named(*o.subdivide)) {
     return bad_input("--subdivide: \"" + *o.subdivide +
@@ -84,7 +90,9 @@ class PrepareRun {
     const size_t before = world_.live_faces();
     if (const auto s = prepare(); !s) return error_or_stopped(s.error());
     if (const auto s = write(); !s) return s;
-    summarize(count_text(before, "face") + " became " + grouped(world_.live_faces()) + " in " + out_name());
+    const std::string became = options_.only_converts() ? std::string(before == 1 ? " is" : " are")
+                                                        : " became " + grouped(world_.live_faces());
+    summarize(count_text(before, "face") + became + " in " + out_name());
     return Done{};
   }
 
@@ -186,7 +194,7 @@ class PrepareRun {
 
 void add_prepare_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
-      "prepare", "Turn inner shells of a mesh, simplify, subdivide or smooth it, in this order");
+      "prepare", "Convert a mesh, turn its inner shells, simplify, subdivide or smooth it, in this order");
   auto o = std::make_shared<PrepareOptions>();
   command->footer(
       "Boundaries, edges of three faces or more and edges between materials are features and are kept.");

@@ -468,6 +468,10 @@ class CommandLine(unittest.TestCase):
         for ending in ("obj", "ply", "stl", "off"):
             self.assertEqual(self.run_here("prepare", "eight.obj", "--subdivide", "sqrt3", "--out", f"a.{ending}").returncode, 0)
             self.assertEqual(json.loads(self.run_here("info", f"a.{ending}").stdout)["faces"], 24)
+        done = self.run_here("prepare", "a.ply", "--out", "same.stl")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("kerf: 24 faces are in same.stl\n", done.stderr)
+        self.assertEqual(json.loads(self.run_here("info", "same.stl").stdout)["faces"], 24)
         self.run_here("prepare", "a.ply", "--subdivide", "midpoint", "--out", "b.ply")
         done = self.run_here("prepare", "b.ply", "--simplify-error", "0.001", "--out", "c.ply")
         self.assertRegex(done.stderr, "^kerf: 96 faces became [0-9]+ in c.ply\n$")
